@@ -1,0 +1,1 @@
+"""Blend one drawn shape into another by the star-skeleton."""

@@ -1,0 +1,1 @@
+"""Ways to blend: one module a method, one protocol."""

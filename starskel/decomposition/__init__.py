@@ -1,0 +1,1 @@
+"""Compatible star decompositions: the same pieces in both polygons, each star-shaped in both."""

@@ -1,0 +1,30 @@
+"""What a decomposition is."""
+
+from dataclasses import dataclass
+
+from starskel.correspondence import Correspondence
+from starskel.predicates import Floats
+
+
+@dataclass(frozen=True, eq=False)
+class Decomposition:
+    """Compatible star decompositions of the two polygons of a pair (paper, section 2.4.1).
+
+    Attributes
+    ----------
+    pair : Correspondence
+        The polygons decomposed, of n vertices each.
+    source, target : (m, 2) arrays
+        The points: first the n vertices of the pair, then m - n Steiner vertices.
+    pieces : tuple of tuples of int
+        For each piece the rows of its vertices, counter-clockwise.
+    source_origins, target_origins : (k, 2) arrays
+        A star point of each piece, corresponding to each other.
+    """
+
+    pair: Correspondence
+    source: Floats
+    target: Floats
+    pieces: tuple[tuple[int, ...], ...]
+    source_origins: Floats
+    target_origins: Floats

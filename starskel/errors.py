@@ -1,0 +1,76 @@
+"""What can go wrong, in words: every error says what is wrong, where, and how to mend it."""
+
+from collections.abc import Sequence
+
+
+class StarskelError(ValueError):
+    """The base of all errors that the library raises on purpose.
+
+    Parameters
+    ----------
+    what : str
+        What is wrong, and where.
+    mend : str
+        How to mend it.
+    """
+
+    def __init__(self, what: str, mend: str = "") -> None:
+        super().__init__(f"{what}; {mend}" if mend else what)
+        self.what = what
+        self.mend = mend
+
+
+class InvalidPolygon(StarskelError):
+    """The points do not form a simple polygon.
+
+    Attributes
+    ----------
+    vertices : tuple of int
+        The vertices concerned, as indices of the points given.
+    place : tuple of float or None
+        Coordinates of the fault, where it has a place.
+    """
+
+    def __init__(
+        self,
+        what: str,
+        mend: str,
+        vertices: Sequence[int] = (),
+        place: tuple[float, float] | None = None,
+    ) -> None:
+        super().__init__(what, mend)
+        self.vertices = tuple(vertices)
+        self.place = place
+
+
+class InvalidMarks(StarskelError):
+    """Marks that name missing vertices, repeat one, or go round the shapes in different orders.
+
+    Attributes
+    ----------
+    marks : tuple of (int, int)
+        The marks in conflict, as given.
+    """
+
+    def __init__(self, what: str, mend: str, marks: Sequence[tuple[int, int]] = ()) -> None:
+        super().__init__(what, mend)
+        self.marks = tuple(marks)
+
+
+class NoDecomposition(StarskelError):
+    """The pair has no compatible star decomposition without Steiner vertices."""
+
+
+class UnknownMethod(StarskelError):
+    """There is no blending method of that name."""
+
+
+class InvalidFile(StarskelError):
+    """A file cannot be read, is damaged, or does not hold what was asked of it."""
+
+
+class Cancelled(StarskelError):
+    """The caller's ``should_stop`` answered True."""
+
+    def __init__(self) -> None:
+        super().__init__("cancelled")

@@ -1,0 +1,160 @@
+"""Polygon: the one place where rings are checked and oriented."""
+
+from functools import cached_property
+
+import numpy as np
+import shapely
+from numpy.typing import ArrayLike, NDArray
+
+from starskel.errors import InvalidPolygon
+from starskel.predicates import LARGEST, Floats, folds_back, segments_meet
+
+
+class Polygon:
+    """A simple polygon: at least three vertices, no two of them equal, no edges that touch but neighbours.
+
+    A ring given clockwise is turned round with vertex 0 kept first; a last point equal to the first is dropped.
+
+    Parameters
+    ----------
+    points : (n, 2) array-like, or a shapely Polygon without holes
+        The vertices in order, x right and y up, in the user's units.
+
+    Raises
+    ------
+    InvalidPolygon
+        Naming the vertices and the place of the fault.
+    """
+
+    def __init__(self, points: ArrayLike | shapely.Polygon) -> None:
+        given = _as_rows(points)
+        _check_numbers(given)
+        if len(given) > 3 and np.array_equal(given[0], given[-1]):
+            given = given[:-1]
+        _check_repeats(given)
+        _check_simple(given)
+        order = np.arange(len(given))
+        if signed_area(given) < 0:
+            order = -order % len(given)
+        self._order = order
+        self.vertices: Floats = given[order]
+        self.vertices.flags.writeable = False
+
+    def __len__(self) -> int:
+        return len(self.vertices)
+
+    def __repr__(self) -> str:
+        return f"Polygon of {len(self)} vertices"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Polygon) and np.array_equal(self.vertices, other.vertices)
+
+    def __hash__(self) -> int:
+        return hash(self.vertices.tobytes())
+
+    @cached_property
+    def area(self) -> float:
+        """The area, positive, in square units."""
+        return signed_area(self.vertices)
+
+    def vertex_of(self, given: int) -> int:
+        """Give the index in `vertices` of the point that was given at index `given`."""
+        return int(self._order[given])  # turning round is its own inverse
+
+
+def signed_area(ring: Floats) -> float:
+    """Give the area of an (n, 2) ring, negative where it runs clockwise."""
+    x, y = (ring - ring[0]).T
+    return float(0.5 * (np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))))
+
+
+def crossing_edges(ring: Floats) -> NDArray[np.intp]:
+    """Give the pairs (i, j), i < j, of edges that meet though they should not, as a (k, 2) array.
+
+    Edge i runs from vertex i to the next. Neighbouring edges meet wrongly where one folds back on the other.
+    """
+    n = len(ring)
+    ends = np.roll(ring, -1, axis=0)
+    edges = shapely.linestrings(np.stack([ring, ends], axis=1))
+    i, j = shapely.STRtree(edges).query(edges)
+    i, j = i[i < j], j[i < j]
+    apart = (j - i > 1) & (j - i < n - 1)
+    i, j = i[apart], j[apart]
+    meet = segments_meet(ring[i], ends[i], ring[j], ends[j])
+    spikes = np.flatnonzero(folds_back(np.roll(ring, 1, axis=0), ring, ends))
+    folded = np.sort(np.stack([(spikes - 1) % n, spikes], axis=1), axis=1)
+    pairs: NDArray[np.intp] = np.concatenate([folded, np.stack([i[meet], j[meet]], axis=1)])
+    return pairs[np.lexsort(pairs.T[::-1])]
+
+
+def _as_rows(points: ArrayLike | shapely.Polygon) -> Floats:
+    if isinstance(points, shapely.Polygon):
+        if points.interiors:
+            raise InvalidPolygon("the shapely Polygon has holes", "give its exterior alone")
+        points = shapely.get_coordinates(points)
+    try:
+        rows: Floats = np.array(points, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InvalidPolygon("the points are not numbers", "give rows of x and y") from None
+    if rows.size == 0:
+        rows = rows.reshape(0, 2)
+    if rows.ndim != 2 or rows.shape[1] != 2:
+        raise InvalidPolygon(f"points of shape {rows.shape}", "give rows of x and y: an (n, 2) array")
+    if len(rows) < 3:
+        raise InvalidPolygon(f"a polygon of {len(rows)} points", "give at least 3 vertices")
+    return rows
+
+
+def _check_numbers(rows: Floats) -> None:
+    wrong = np.flatnonzero(~(np.abs(rows) < LARGEST).all(axis=1))
+    if len(wrong):
+        i = int(wrong[0])
+        raise InvalidPolygon(
+            f"vertex {i} is at ({rows[i, 0]:g}, {rows[i, 1]:g})",
+            f"give finite coordinates below {LARGEST:g}",
+            vertices=wrong.tolist(),
+        )
+    rows[np.abs(rows) < 1 / LARGEST] = 0.0
+    if not np.ptp(rows, axis=0).any():
+        raise InvalidPolygon("all points are the same", "give at least 3 different vertices", place=_place(rows[0]))
+
+
+def _check_repeats(rows: Floats) -> None:
+    order = np.lexsort(rows.T)
+    same = np.flatnonzero((rows[order[1:]] == rows[order[:-1]]).all(axis=1))
+    if len(same):
+        i, j = sorted((int(order[same[0]]), int(order[same[0] + 1])))
+        raise InvalidPolygon(
+            f"vertices {i} and {j} are both at ({rows[i, 0]:g}, {rows[i, 1]:g})",
+            "remove or move one of them",
+            vertices=(i, j),
+            place=_place(rows[i]),
+        )
+
+
+def _check_simple(rows: Floats) -> None:
+    pairs = crossing_edges(rows)
+    if not len(pairs):
+        return
+    n = len(rows)
+    i, j = (int(k) for k in pairs[0])
+    if len(pairs) >= n - 1 and not np.abs(signed_area(rows)) > 0:
+        raise InvalidPolygon("all vertices lie on one line: the area is zero", "move a vertex off the line")
+    place = _meeting_place(rows[[i, (i + 1) % n]], rows[[j, (j + 1) % n]])
+    raise InvalidPolygon(
+        f"edges {i}-{(i + 1) % n} and {j}-{(j + 1) % n} cross or touch at ({place[0]:g}, {place[1]:g})",
+        "move or remove one of these vertices",
+        vertices=(i, (i + 1) % n, j, (j + 1) % n),
+        place=place,
+    )
+
+
+def _meeting_place(first: Floats, second: Floats) -> tuple[float, float]:
+    shared = shapely.linestrings(first).intersection(shapely.linestrings(second))
+    if shared.is_empty:  # they meet exactly, but not at a point that floats can name
+        return _place(second[0])
+    return _place(shapely.get_coordinates(shared).mean(axis=0))
+
+
+def _place(point: Floats) -> tuple[float, float]:
+    return float(point[0]), float(point[1])
