@@ -1,0 +1,90 @@
+"""JSON documents: checked while they are read, written so that two of them can be compared line by line."""
+
+from pathlib import Path
+from typing import TypeVar
+
+import msgspec
+
+from starskel.errors import InvalidFile
+from starskel.files.disk import read_bytes, write_bytes
+
+Document = TypeVar("Document")
+
+_BYTE_ORDER_MARK = b"\xef\xbb\xbf"
+
+
+class _Header(msgspec.Struct):
+    format: str = ""
+
+
+def format_of(path: Path) -> str:
+    """Give what the document says its format is, "" where it says nothing.
+
+    Raises
+    ------
+    InvalidFile
+        If the file cannot be read or is no JSON object.
+    """
+    return read_document(path, _Header).format
+
+
+def check_format(path: Path, expected: str) -> None:
+    """Refuse a document of another format.
+
+    Raises
+    ------
+    InvalidFile
+        Naming both formats; or if the file cannot be read.
+    """
+    found = format_of(path)
+    if found != expected:
+        what = f'{path} has the format "{found}"' if found else f"{path} does not name its format"
+        raise InvalidFile(what, f'give a file of the format "{expected}"')
+
+
+def read_document(path: Path, kind: type[Document]) -> Document:
+    """Give a JSON file as a value of this type.
+
+    Raises
+    ------
+    InvalidFile
+        If the file cannot be read, is no JSON, or holds other things than the type says, naming the place.
+    """
+    content = read_bytes(path).removeprefix(_BYTE_ORDER_MARK)
+    try:
+        return msgspec.json.decode(content, type=kind)
+    except msgspec.ValidationError as error:
+        raise InvalidFile(f"{path}: {error}", "correct the file at this place") from error
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+        raise InvalidFile(f"{path} is damaged: {error}", "take an undamaged copy") from error
+
+
+def write_document(path: Path, document: object) -> None:
+    """Write a value as JSON, whole or not at all; rows of numbers stand on one line each.
+
+    Raises
+    ------
+    InvalidFile
+        If it cannot be written.
+    """
+    write_bytes(path, (_lines(msgspec.to_builtins(document), "") + "\n").encode())
+
+
+def _lines(value: object, indent: str) -> str:
+    deeper = indent + "  "
+    if isinstance(value, dict) and value:
+        entries = [f"{_inline(key)}: {_lines(entry, deeper)}" for key, entry in value.items()]
+        return _block("{", entries, "}", indent)
+    if isinstance(value, list | tuple) and any(isinstance(entry, list | tuple | dict) for entry in value):
+        return _block("[", [_lines(entry, deeper) for entry in value], "]", indent)
+    return _inline(value)
+
+
+def _block(opening: str, entries: list[str], closing: str, indent: str) -> str:
+    return opening + ",".join(f"\n{indent}  {entry}" for entry in entries) + f"\n{indent}{closing}"
+
+
+def _inline(value: object) -> str:
+    if isinstance(value, list | tuple):
+        return f"[{', '.join(map(_inline, value))}]"
+    return msgspec.json.encode(value).decode()

@@ -1,0 +1,135 @@
+"""Files of pairs of polygons, format polygon-pairs/1."""
+
+import difflib
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+import msgspec
+
+from starskel.errors import InvalidFile
+from starskel.files.documents import check_format, read_document, write_document
+from starskel.files.shapes import Mark, Row, marks_of, polygon_of, rows_of
+from starskel.polygon import Polygon
+
+FORMAT = "polygon-pairs/1"
+
+
+class _Entry(msgspec.Struct, frozen=True, kw_only=True):
+    id: str
+    source: str = ""
+    tags: list[str] = []
+    p: list[Row]
+    q: list[Row]
+    marks: list[Mark] = []
+
+
+class _Document(msgspec.Struct, frozen=True):
+    format: str
+    pairs: list[_Entry]
+
+
+@dataclass(frozen=True)
+class ShapePair:
+    """Two polygons and their marks under a name.
+
+    Attributes
+    ----------
+    id : str
+        The name, unique in its file.
+    source, target : Polygon
+        The polygons.
+    marks : tuple of (int, int)
+        A vertex of the source, a vertex of the target.
+    tags : tuple of str
+        Words to find it by.
+    origin : str
+        Where the shapes come from, and their licence.
+    """
+
+    id: str
+    source: Polygon
+    target: Polygon
+    marks: tuple[Mark, ...] = ()
+    tags: tuple[str, ...] = ()
+    origin: str = ""
+
+
+class PairsFile:
+    """The pairs of one file; each pair is checked when it is asked for, so that one bad pair spoils no other.
+
+    Attributes
+    ----------
+    path : Path
+        The file.
+    ids : tuple of str
+        The names of its pairs, in the file's order.
+    """
+
+    def __init__(self, path: Path, entries: Iterable[_Entry]) -> None:
+        self.path = path
+        self._entries = {entry.id: entry for entry in entries}
+        self.ids = tuple(self._entries)
+
+    def pair(self, pair_id: str) -> ShapePair:
+        """Give the pair of this name.
+
+        Raises
+        ------
+        InvalidFile
+            If there is none, naming the nearest ones, or if its polygons or marks are invalid.
+        """
+        entry = self._entries.get(pair_id)
+        if entry is None:
+            raise InvalidFile(f'{self.path} has no pair "{pair_id}"', self._suggestion(pair_id))
+        where = f'{self.path}: pair "{entry.id}"'
+        source = polygon_of(entry.p, f"{where}: source (p)")
+        target = polygon_of(entry.q, f"{where}: target (q)")
+        marks = marks_of(entry.marks, source, target, where)
+        return ShapePair(entry.id, source, target, marks, tuple(entry.tags), entry.source)
+
+    def _suggestion(self, pair_id: str) -> str:
+        by_lower_case = {name.lower(): name for name in self.ids}
+        near = difflib.get_close_matches(pair_id.lower(), by_lower_case, n=3, cutoff=0.4)
+        return "choose one of " + ", ".join([by_lower_case[name] for name in near] or self.ids[:8])
+
+
+def read_pairs(path: Path) -> PairsFile:
+    """Read a file of pairs.
+
+    Raises
+    ------
+    InvalidFile
+        If it cannot be read, is no file of pairs, or has no pair or two pairs of one name.
+    """
+    check_format(path, FORMAT)
+    pairs = PairsFile(path, entries := read_document(path, _Document).pairs)
+    if not entries:
+        raise InvalidFile(f"{path} holds no pair", "give a file with at least one pair")
+    if len(pairs.ids) < len(entries):
+        names = [entry.id for entry in entries]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise InvalidFile(f'{path} has two pairs "{twice}"', "rename one of them")
+    return pairs
+
+
+def write_pairs(path: Path, pairs: Iterable[ShapePair]) -> None:
+    """Write a file of pairs.
+
+    Raises
+    ------
+    InvalidFile
+        If it cannot be written.
+    """
+    write_document(path, _Document(FORMAT, [_entry(pair) for pair in pairs]))
+
+
+def _entry(pair: ShapePair) -> _Entry:
+    return _Entry(
+        id=pair.id,
+        source=pair.origin,
+        tags=list(pair.tags),
+        p=rows_of(pair.source),
+        q=rows_of(pair.target),
+        marks=list(pair.marks),
+    )

@@ -1,0 +1,99 @@
+"""Project files: what the editor has open, format starskel-project."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import msgspec
+
+from starskel.errors import InvalidFile
+from starskel.files.documents import check_format, read_document, write_document
+from starskel.files.shapes import Mark, Row, marks_of, polygon_of, rows_of
+from starskel.polygon import Polygon
+
+FORMAT = "starskel-project"
+VERSION = 1
+
+
+class _Header(msgspec.Struct, frozen=True):
+    version: int = 0
+
+
+class _Document(msgspec.Struct, frozen=True):
+    format: str
+    version: int
+    name: str
+    source: list[Row] | None
+    target: list[Row] | None
+    marks: list[Mark]
+    methods: list[str]
+
+
+@dataclass(frozen=True)
+class Project:
+    """Two shapes on the way to a blend.
+
+    Attributes
+    ----------
+    name : str
+        What the user calls it.
+    source, target : Polygon or None
+        The shapes drawn so far.
+    marks : tuple of (int, int)
+        A vertex of the source, a vertex of the target; none while a shape is missing.
+    methods : tuple of str
+        The blending methods shown, in order.
+    """
+
+    name: str
+    source: Polygon | None = None
+    target: Polygon | None = None
+    marks: tuple[Mark, ...] = ()
+    methods: tuple[str, ...] = ()
+
+
+def read_project(path: Path) -> Project:
+    """Read a project file.
+
+    Raises
+    ------
+    InvalidFile
+        If it cannot be read, is damaged, is no project, or is one of a newer version.
+    """
+    check_format(path, FORMAT)
+    _check_version(path)
+    document = read_document(path, _Document)
+    source = polygon_of(document.source, f"{path}: source") if document.source is not None else None
+    target = polygon_of(document.target, f"{path}: target") if document.target is not None else None
+    marks: tuple[Mark, ...] = ()
+    if source is not None and target is not None:
+        marks = marks_of(document.marks, source, target, str(path))
+    elif document.marks:
+        raise InvalidFile(
+            f"{path} has marks, but not both shapes", "add the missing shape or remove the marks"
+        )
+    return Project(document.name, source, target, marks, tuple(document.methods))
+
+
+def write_project(path: Path, project: Project) -> None:
+    """Write a project file, whole or not at all.
+
+    Raises
+    ------
+    InvalidFile
+        If it cannot be written; an old file stays as it was.
+    """
+    source = rows_of(project.source) if project.source is not None else None
+    target = rows_of(project.target) if project.target is not None else None
+    marks, methods = list(project.marks), list(project.methods)
+    write_document(path, _Document(FORMAT, VERSION, project.name, source, target, marks, methods))
+
+
+def _check_version(path: Path) -> None:
+    version = read_document(path, _Header).version
+    if version > VERSION:
+        raise InvalidFile(
+            f"{path} is a project of version {version}; this program knows versions up to {VERSION}",
+            "open it with a newer starskel",
+        )
+    if version < 1:
+        raise InvalidFile(f"{path} is a project of version {version}", "versions count from 1")
