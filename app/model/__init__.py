@@ -1,0 +1,1 @@
+"""What is edited: frozen snapshots of the document, their history, the selection."""

@@ -1,0 +1,153 @@
+"""Document: a frozen snapshot of all that is edited, with verbs that give new documents."""
+
+from collections.abc import Collection
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from app.model import marks as pins
+from app.model.marks import Mark, Marks, Side
+from starskel.errors import InvalidPolygon
+from starskel.polygon import Polygon
+from starskel.predicates import Floats
+
+Point = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Document:
+    """Two shapes, what corresponds, and the methods to compare.
+
+    Every verb gives a new document, or raises the `StarskelError` that says why it cannot: what is not a
+    simple polygon, and marks that cross, never get in.
+
+    Attributes
+    ----------
+    name : str
+        What the user calls it.
+    source, target : Polygon or None
+        The shapes, None where nothing has been drawn yet.
+    marks : tuple of (int, int)
+        A vertex of the source, a vertex of the target, in the order in which they were set.
+    methods : tuple of str
+        Names of the blending methods shown side by side.
+    """
+
+    name: str = ""
+    source: Polygon | None = None
+    target: Polygon | None = None
+    marks: Marks = ()
+    methods: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        pins.check(self.marks)
+
+    def polygon(self, side: Side) -> Polygon | None:
+        """Give the shape on this side."""
+        return self.source if side == "source" else self.target
+
+    def vertices(self, side: Side) -> Floats:
+        """Give the vertices on this side, (n, 2), none where nothing has been drawn."""
+        polygon = self.polygon(side)
+        return polygon.vertices if polygon is not None else np.empty((0, 2))
+
+    def draw(self, side: Side, polygon: Polygon | None) -> "Document":
+        """Replace a whole shape, or remove it; its marks go with it."""
+        return self._with(side, polygon, ())
+
+    def moved(self, side: Side, vertices: Collection[int], offset: Point) -> Floats:
+        """Give the ring with some vertices moved, simple or not."""
+        ring = self.vertices(side).copy()
+        ring[sorted(vertices)] += offset
+        return ring
+
+    def move(self, side: Side, vertices: Collection[int], offset: Point) -> "Document":
+        """Move some vertices by the same offset.
+
+        Raises
+        ------
+        InvalidPolygon
+            If edges would cross or vertices coincide.
+        InvalidMarks
+            If the shape is turned inside out so that marks cross.
+        """
+        return self._reshape(side, self.moved(side, vertices, offset), self.marks)
+
+    def insert(self, side: Side, edge: int, point: Point) -> "Document":
+        """Insert a vertex on the edge that starts at vertex `edge`; its index is `edge` + 1.
+
+        Raises
+        ------
+        InvalidPolygon
+            If edges would cross.
+        """
+        ring = np.insert(self.vertices(side), edge + 1, point, axis=0)
+        return self._reshape(side, ring, pins.after_insertion(self.marks, side, edge + 1))
+
+    def delete(self, side: Side, vertices: Collection[int]) -> "Document":
+        """Delete vertices with their marks; deleting all of them removes the shape.
+
+        Raises
+        ------
+        InvalidPolygon
+            If fewer than three would be left, or edges would cross.
+        """
+        ring = np.delete(self.vertices(side), sorted(vertices), axis=0)
+        if not len(ring):
+            return self.draw(side, None)
+        if len(ring) < 3:
+            raise InvalidPolygon(
+                f"{len(ring)} vertices would be left, and a polygon has at least 3",
+                "select all vertices to delete the whole shape",
+                place=(float(ring[0, 0]), float(ring[0, 1])),
+            )
+        return self._reshape(side, ring, pins.after_deletion(self.marks, side, vertices))
+
+    def mark(self, source: int, target: int) -> "Document":
+        """Add the mark that these vertices correspond.
+
+        Raises
+        ------
+        InvalidMarks
+            Naming the new mark and the one that it conflicts with.
+        """
+        return replace(self, marks=pins.add(self.marks, (source, target)))
+
+    def unmark(self, index: int) -> "Document":
+        """Remove a mark."""
+        return replace(self, marks=self._marks_but(index))
+
+    def repin(self, index: int, side: Side, vertex: int) -> "Document":
+        """Move one end of a mark to another vertex; the mark keeps its number.
+
+        Raises
+        ------
+        InvalidMarks
+            Naming the mark as it would be and the one that it conflicts with.
+        """
+        moved = pins.with_end(self.marks[index], side, vertex)
+        rest = self._marks_but(index)
+        pins.add(rest, moved)
+        return replace(self, marks=(*rest[:index], moved, *rest[index:]))
+
+    def compare(self, methods: tuple[str, ...]) -> "Document":
+        """Choose the methods shown side by side."""
+        return replace(self, methods=methods)
+
+    def _marks_but(self, index: int) -> Marks:
+        return self.marks[:index] + self.marks[index + 1 :]
+
+    def _reshape(self, side: Side, ring: Floats, marks: Marks) -> "Document":
+        """Check the ring and store it; where it now runs clockwise the marks follow its new indices."""
+        polygon = Polygon(ring)
+        follow = tuple(self._following(mark, side, polygon) for mark in marks)
+        return self._with(side, polygon, follow)
+
+    @staticmethod
+    def _following(mark: Mark, side: Side, polygon: Polygon) -> Mark:
+        return pins.with_end(mark, side, polygon.vertex_of(pins.end(mark, side)))
+
+    def _with(self, side: Side, polygon: Polygon | None, marks: Marks) -> "Document":
+        if side == "source":
+            return replace(self, source=polygon, marks=marks)
+        return replace(self, target=polygon, marks=marks)

@@ -1,0 +1,72 @@
+"""History: the snapshots that undo and redo go through."""
+
+from collections.abc import Hashable
+from dataclasses import dataclass, replace
+
+from app.model.document import Document
+
+
+@dataclass(frozen=True)
+class Step:
+    """A document and the edit that led to it.
+
+    Attributes
+    ----------
+    document : Document
+        The snapshot.
+    name : str
+        What was done, as the menu calls it; empty for the first.
+    joins : hashable or None
+        Steps in a row with the same value here count as one: a held arrow key is undone at once.
+    """
+
+    document: Document
+    name: str = ""
+    joins: Hashable = None
+
+
+@dataclass(frozen=True)
+class History:
+    """All steps since the document was opened, and the one that is shown.
+
+    Snapshots share their polygons, so a step costs no more than what it changed.
+    """
+
+    steps: tuple[Step, ...]
+    position: int = 0
+
+    @classmethod
+    def of(cls, document: Document) -> "History":
+        """Start at a document."""
+        return cls((Step(document),))
+
+    @property
+    def document(self) -> Document:
+        """The document as it is now."""
+        return self.steps[self.position].document
+
+    @property
+    def undoes(self) -> str | None:
+        """The name of the edit that undo takes back, None at the start."""
+        return self.steps[self.position].name if self.position else None
+
+    @property
+    def redoes(self) -> str | None:
+        """The name of the edit that redo brings again, None at the end."""
+        later = self.steps[self.position + 1 :]
+        return later[0].name if later else None
+
+    def push(self, document: Document, name: str, joins: Hashable = None) -> "History":
+        """Go on to a new document; what was undone before is forgotten."""
+        position = self.position
+        if joins is not None and self.steps[position].joins == joins:
+            position -= 1
+        return History((*self.steps[: position + 1], Step(document, name, joins)), position + 1)
+
+    def undo(self) -> "History":
+        """Go one step back, where there is one."""
+        return replace(self, position=max(self.position - 1, 0))
+
+    def redo(self) -> "History":
+        """Go one step forward, where there is one."""
+        return replace(self, position=min(self.position + 1, len(self.steps) - 1))

@@ -1,0 +1,49 @@
+"""Selection: some vertices of one shape."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from app.model.document import Document
+from app.model.marks import Side
+
+
+@dataclass(frozen=True)
+class Selection:
+    """The selected vertices.
+
+    Attributes
+    ----------
+    side : {"source", "target"}
+        The shape they belong to, the one that was worked on last.
+    vertices : frozenset of int
+        Their indices; empty where nothing is selected.
+    """
+
+    side: Side = "source"
+    vertices: frozenset[int] = frozenset()
+
+    def __bool__(self) -> bool:
+        return bool(self.vertices)
+
+    def on(self, side: Side) -> frozenset[int]:
+        """Give the selected vertices of this side."""
+        return self.vertices if side == self.side else frozenset()
+
+    def toggle(self, side: Side, vertex: int) -> "Selection":
+        """Add the vertex, or take it out; a vertex of the other side starts a new selection."""
+        return Selection(side, self.on(side) ^ {vertex})
+
+    def add(self, side: Side, vertices: Iterable[int]) -> "Selection":
+        """Add vertices; those of the other side start a new selection."""
+        return Selection(side, self.on(side) | frozenset(vertices))
+
+    def after(self, old: Document, new: Document) -> "Selection":
+        """Give what remains selected after undo or redo: nothing where vertices came or went."""
+        if len(old.vertices(self.side)) == len(new.vertices(self.side)):
+            return self
+        return Selection(self.side)
+
+
+def everything(document: Document, side: Side) -> Selection:
+    """Select all vertices of one shape."""
+    return Selection(side, frozenset(range(len(document.vertices(side)))))

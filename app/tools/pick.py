@@ -1,0 +1,48 @@
+"""What lies under the pointer."""
+
+import numpy as np
+
+from app.model.document import Document, Point
+from app.tools.tool import Pointer, as_point
+from starskel.predicates import Floats
+
+
+def vertex_at(document: Document, pointer: Pointer) -> int | None:
+    """Give the nearest vertex within the pick radius."""
+    vertices = document.vertices(pointer.side)
+    if not len(vertices):
+        return None
+    distances = np.linalg.norm(vertices - pointer.at, axis=1)
+    nearest = int(distances.argmin())
+    return nearest if distances[nearest] <= pointer.radius else None
+
+
+def edge_at(document: Document, pointer: Pointer) -> tuple[int, Point] | None:
+    """Give the nearest edge within the pick radius, and the place on it."""
+    starts = document.vertices(pointer.side)
+    if not len(starts):
+        return None
+    places = _nearest_on(starts, np.roll(starts, -1, axis=0), np.array(pointer.at))
+    distances = np.linalg.norm(places - pointer.at, axis=1)
+    nearest = int(distances.argmin())
+    return (nearest, as_point(places[nearest])) if distances[nearest] <= pointer.radius else None
+
+
+def vertices_in(document: Document, pointer: Pointer, corner: Point) -> frozenset[int]:
+    """Give the vertices in the box between the pointer and a corner."""
+    low, high = np.minimum(corner, pointer.at), np.maximum(corner, pointer.at)
+    vertices = document.vertices(pointer.side)
+    inside = ((vertices >= low) & (vertices <= high)).all(axis=1)
+    return frozenset(np.flatnonzero(inside).tolist())
+
+
+def distance(a: Point, b: Point) -> float:
+    """Give the distance between two points."""
+    return float(np.hypot(a[0] - b[0], a[1] - b[1]))
+
+
+def _nearest_on(starts: Floats, ends: Floats, at: Floats) -> Floats:
+    along = ends - starts
+    share = ((at - starts) * along).sum(axis=1) / (along**2).sum(axis=1)
+    places: Floats = starts + np.clip(share, 0, 1)[:, None] * along
+    return places

@@ -1,0 +1,181 @@
+"""The protocol between a canvas and its tools: events in, the next state and its effects out."""
+
+from collections.abc import Hashable
+from dataclasses import dataclass
+from typing import ClassVar
+
+from app.model.document import Document, Point
+from app.model.marks import Marks, Side
+from app.model.selection import Selection
+from starskel.errors import InvalidMarks, InvalidPolygon, StarskelError
+from starskel.predicates import Floats
+
+Segment = tuple[Point, Point]
+
+
+@dataclass(frozen=True)
+class Pointer:
+    """A place on one of the two canvases, in document units.
+
+    Attributes
+    ----------
+    side : {"source", "target"}
+        The canvas.
+    at : (float, float)
+        The place.
+    radius : float
+        How near counts as on it, in document units.
+    shift : bool
+        Whether the shift key is held.
+    """
+
+    side: Side
+    at: Point
+    radius: float
+    shift: bool = False
+
+
+@dataclass(frozen=True)
+class Key:
+    """A key: "enter", "backspace", "delete", "left", "right", "up" or "down".
+
+    `step` is how far an arrow key goes, in document units.
+    """
+
+    name: str
+    step: float = 1.0
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What a tool sees."""
+
+    document: Document
+    selection: Selection
+
+
+@dataclass(frozen=True)
+class Refusal:
+    """An edit that is not possible, and where to show why.
+
+    Attributes
+    ----------
+    side : {"source", "target"}
+        The canvas on which it was tried.
+    error : StarskelError
+        What is wrong.
+    segments : tuple of segments
+        The edges concerned.
+    place : (float, float) or None
+        The very spot.
+    marks : tuple of (int, int)
+        The marks concerned, to be shown on both canvases.
+    """
+
+    side: Side
+    error: StarskelError
+    segments: tuple[Segment, ...] = ()
+    place: Point | None = None
+    marks: Marks = ()
+
+
+@dataclass(frozen=True)
+class Commit:
+    """An edit to be stored as one step of the history."""
+
+    document: Document
+    name: str
+    joins: Hashable = None
+
+
+@dataclass(frozen=True, eq=False)
+class Overlay:
+    """What a tool shows on one canvas, above the document.
+
+    Attributes
+    ----------
+    ring : (n, 2) array or None
+        The shape as the gesture would leave it, shown instead of the stored one.
+    path : tuple of points
+        A path being drawn; the last point is where the pointer is.
+    closes : bool
+        Whether a click would close the path.
+    box : two points, or None
+        A rubber band.
+    vertex : int or None
+        The vertex that a press would take.
+    insertion : (float, float) or None
+        Where a double click would insert a vertex.
+    pin : (int, int) or None
+        A vertex and the number of the mark that would be set there.
+    """
+
+    ring: Floats | None = None
+    path: tuple[Point, ...] = ()
+    closes: bool = False
+    box: Segment | None = None
+    vertex: int | None = None
+    insertion: Point | None = None
+    pin: tuple[int, int] | None = None
+
+
+class Tool:
+    """A state of a tool; by default it ignores every event."""
+
+    name: ClassVar[str]
+    """The tool that the state belongs to."""
+
+    hint: ClassVar[str]
+    """What the user can do now, in one line."""
+
+    busy: ClassVar[bool] = False
+    """Whether a gesture is under way that `cancel` would end."""
+
+    def press(self, scene: Scene, pointer: Pointer) -> "Response":
+        return Response(self)
+
+    def move(self, scene: Scene, pointer: Pointer) -> "Response":
+        return Response(self)
+
+    def release(self, scene: Scene, pointer: Pointer) -> "Response":
+        return Response(self)
+
+    def double_press(self, scene: Scene, pointer: Pointer) -> "Response":
+        return self.press(scene, pointer)
+
+    def key(self, scene: Scene, key: Key) -> "Response":
+        return Response(self)
+
+    def cancel(self) -> "Tool":
+        """Give the state after the gesture was given up."""
+        return self
+
+    def overlay(self, scene: Scene, side: Side) -> Overlay:
+        return Overlay()
+
+
+@dataclass(frozen=True)
+class Response:
+    """The answer to an event: the next state, and what changes."""
+
+    tool: Tool
+    commit: Commit | None = None
+    selection: Selection | None = None
+    refusal: Refusal | None = None
+
+
+def refused_ring(side: Side, ring: Floats, error: StarskelError) -> Refusal:
+    """Point at the fault of a ring that is not a simple polygon, or at the marks that it would make cross."""
+    if isinstance(error, InvalidMarks):
+        return Refusal(side, error, marks=error.marks)
+    if not isinstance(error, InvalidPolygon):
+        return Refusal(side, error)
+    named = [as_point(ring[vertex]) for vertex in error.vertices]
+    crossing = len(named) == 4
+    segments = ((named[0], named[1]), (named[2], named[3])) if crossing else ()
+    return Refusal(side, error, segments, error.place)
+
+
+def as_point(row: Floats) -> Point:
+    """Give a row of an array as a point."""
+    return float(row[0]), float(row[1])

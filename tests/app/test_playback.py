@@ -1,0 +1,56 @@
+import pytest
+
+from app.playback import Playback, Repeat
+
+
+def test_t_follows_the_clock() -> None:
+    playback = Playback(duration=2).play(now=100)
+    assert playback.playing
+    assert playback.t(101) == 0.5
+
+
+def test_once_stops_at_the_end_and_starts_again_from_the_beginning() -> None:
+    playback = Playback(duration=2, repeat=Repeat.ONCE).play(0)
+    assert not playback.ended(1.9)
+    assert playback.ended(2)
+    assert playback.t(7) == 1
+    paused = playback.pause(7)
+    assert paused.t(1000) == 1
+    assert paused.play(10).t(11) == 0.5
+
+
+def test_loop_jumps_back_to_the_start() -> None:
+    playback = Playback(duration=1, repeat=Repeat.LOOP).play(0)
+    assert playback.t(0.25) == 0.25
+    assert playback.t(3.25) == 0.25
+
+
+def test_ping_pong_turns_at_both_ends() -> None:
+    playback = Playback(duration=1, repeat=Repeat.PING_PONG).play(0)
+    assert [playback.t(now) for now in (0.25, 1.0, 1.25, 1.75, 2.25)] == [0.25, 1.0, 0.75, 0.25, 0.25]
+
+
+@pytest.mark.parametrize("repeat", Repeat)
+@pytest.mark.parametrize("t", [0.0, 0.3, 1.0])
+def test_the_slider_reaches_every_t_in_every_mode(repeat: Repeat, t: float) -> None:
+    assert Playback(repeat=repeat).seek(t, now=5).t(now=9) == t
+
+
+@pytest.mark.parametrize("repeat", Repeat)
+def test_pause_and_play_go_on_where_they_were(repeat: Repeat) -> None:
+    running = Playback(duration=1, repeat=repeat).play(0)
+    resumed = running.pause(0.75).play(50)
+    assert resumed.t(50) == running.t(0.75)
+    assert resumed.t(50.125) == pytest.approx(running.t(0.875))
+
+
+def test_ping_pong_keeps_its_direction_over_a_pause() -> None:
+    playback = Playback(duration=1).play(0).pause(1.25).play(10)
+    assert playback.t(10.25) == 0.5
+
+
+def test_changing_speed_or_mode_does_not_jump() -> None:
+    playback = Playback(duration=1).play(0)
+    assert playback.at_speed(4, now=0.5).t(0.5) == 0.5
+    assert playback.at_speed(4, now=0.5).t(0.5625) == 0.75
+    assert playback.repeating(Repeat.LOOP, now=1.25).t(1.25) == 0.75

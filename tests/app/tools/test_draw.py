@@ -1,0 +1,95 @@
+from app.model.document import Document
+from app.model.selection import Selection
+from app.tools.draw import Drawing, DrawTool
+from app.tools.tool import Key, Pointer, Response, Scene, Tool
+from starskel.polygon import Polygon
+
+SCENE = Scene(Document(), Selection())
+
+
+def at(x: float, y: float) -> Pointer:
+    return Pointer("source", (x, y), radius=0.5)
+
+
+def click(tool: Tool, *places: tuple[float, float]) -> Response:
+    response = Response(tool)
+    for place in places:
+        response = response.tool.press(SCENE, at(*place))
+    return response
+
+
+def test_clicks_and_a_click_on_the_first_vertex_draw_a_polygon() -> None:
+    response = click(DrawTool(), (0, 0), (10, 0), (10, 10), (0.2, 0.2))
+    assert response.commit is not None
+    assert response.commit.document.source == Polygon([(0, 0), (10, 0), (10, 10)])
+    assert response.tool == DrawTool()
+
+
+def test_enter_closes() -> None:
+    response = click(DrawTool(), (0, 0), (10, 0), (10, 10)).tool.key(SCENE, Key("enter"))
+    assert response.commit is not None
+
+
+def test_a_shape_drawn_clockwise_is_turned_round() -> None:
+    response = click(DrawTool(), (0, 0), (10, 10), (10, 0), (0, 0))
+    assert response.commit is not None
+    assert response.commit.document.vertices("source").tolist() == [[0, 0], [10, 0], [10, 10]]
+
+
+def test_a_crossing_edge_is_shown_and_not_stored() -> None:
+    before = click(DrawTool(), (0, 0), (10, 0), (10, 10)).tool
+    response = before.press(SCENE, at(5, -5))
+    assert isinstance(response.tool, Drawing)
+    assert response.tool.points == ((0, 0), (10, 0), (10, 10))
+    assert response.refusal is not None
+    assert response.refusal.segments == (((0, 0), (10, 0)), ((10, 10), (5, -5)))
+    hovered = before.move(SCENE, at(5, -5))
+    assert hovered.refusal is not None
+    assert before.move(SCENE, at(5, 5)).refusal is None
+
+
+def test_an_edge_that_folds_back_is_refused() -> None:
+    response = click(DrawTool(), (0, 0), (10, 0), (5, 0))
+    assert response.refusal is not None
+    assert response.tool.key(SCENE, Key("backspace")).tool == Drawing("source", ((0, 0),), (5, 0))
+
+
+def test_closing_over_another_edge_is_refused() -> None:
+    tool = click(DrawTool(), (0, 0), (10, 0), (10, 10), (5, 10), (5, -5), (0, -5)).tool
+    assert isinstance(tool, Drawing)
+    zigzag = click(DrawTool(), (0, 0), (4, 4), (4, -4), (6, -4), (6, 4), (10, 0))
+    closing = zigzag.tool.press(SCENE, at(0, 0))
+    assert closing.commit is None
+    assert closing.refusal is not None
+    by_key = zigzag.tool.key(SCENE, Key("enter"))
+    assert by_key.commit is None
+    assert by_key.refusal is not None
+    assert by_key.refusal.place is not None
+
+
+def test_enter_on_two_vertices_is_refused() -> None:
+    response = click(DrawTool(), (0, 0), (10, 0)).tool.key(SCENE, Key("enter"))
+    assert response.refusal is not None
+    assert "at least 3" in str(response.refusal.error)
+
+
+def test_backspace_takes_vertices_back_one_by_one() -> None:
+    tool = click(DrawTool(), (0, 0), (10, 0)).tool.key(SCENE, Key("backspace")).tool
+    assert isinstance(tool, Drawing)
+    assert tool.points == ((0, 0),)
+    assert tool.key(SCENE, Key("backspace")).tool == DrawTool()
+
+
+def test_cancel_forgets_the_path() -> None:
+    assert click(DrawTool(), (0, 0), (10, 0)).tool.cancel() == DrawTool()
+
+
+def test_the_second_press_of_a_double_click_sets_no_vertex() -> None:
+    tool = click(DrawTool(), (0, 0), (10, 0)).tool.double_press(SCENE, at(10, 0)).tool
+    assert isinstance(tool, Drawing)
+    assert tool.points == ((0, 0), (10, 0))
+
+
+def test_the_other_canvas_neither_adds_nor_cancels() -> None:
+    tool = click(DrawTool(), (0, 0), (10, 0)).tool
+    assert tool.press(SCENE, Pointer("target", (3, 3), 0.5)).tool == tool

@@ -1,0 +1,86 @@
+from app.model.document import Document
+from app.model.marks import Side
+from app.model.selection import Selection
+from app.tools.mark import MarkBegun, MarkTool
+from app.tools.tool import Pointer, Response, Scene, Tool
+from starskel.polygon import Polygon
+
+SHAPE = Polygon([(0, 0), (10, 0), (10, 10), (0, 10)])
+SCENE = Scene(Document(source=SHAPE, target=SHAPE, marks=((0, 0), (1, 1))), Selection())
+
+
+def at(side: Side, x: float, y: float) -> Pointer:
+    return Pointer(side, (x, y), 0.5)
+
+
+def click(tool: Tool, side: Side, x: float, y: float) -> Response:
+    pressed = tool.press(SCENE, at(side, x, y))
+    released = pressed.tool.release(SCENE, at(side, x, y))
+    return Response(
+        released.tool, pressed.commit or released.commit, None, pressed.refusal or released.refusal
+    )
+
+
+def test_a_click_on_each_canvas_sets_a_mark() -> None:
+    begun = click(MarkTool(), "source", 10, 10).tool
+    assert begun.overlay(SCENE, "source").pin == (2, 2)
+    response = click(begun, "target", 0, 10)
+    assert response.commit is not None
+    assert response.commit.document.marks[-1] == (2, 3)
+
+
+def test_it_may_begin_on_the_target() -> None:
+    response = click(click(MarkTool(), "target", 0, 10).tool, "source", 10, 10)
+    assert response.commit is not None
+    assert response.commit.document.marks[-1] == (2, 3)
+
+
+def test_a_crossing_mark_is_refused_and_shows_both() -> None:
+    scene = Scene(Document(source=SHAPE, target=SHAPE, marks=((0, 0), (1, 2))), Selection())
+    response = MarkBegun("source", 2).press(scene, at("target", 10, 0))
+    assert response.commit is None
+    assert response.refusal is not None
+    assert set(response.refusal.marks) == {(1, 2), (2, 1)}
+    assert response.tool == MarkBegun("source", 2)
+
+
+def test_a_second_mark_at_a_vertex_is_refused() -> None:
+    response = click(click(MarkTool(), "source", 10, 10).tool, "target", 0, 0)
+    assert response.commit is None
+    assert response.refusal is not None
+    assert set(response.refusal.marks) == {(0, 0), (2, 0)}
+
+
+def test_another_vertex_of_the_same_canvas_begins_anew() -> None:
+    tool = click(click(MarkTool(), "source", 10, 10).tool, "source", 0, 10).tool
+    assert isinstance(tool, MarkBegun)
+    assert tool.vertex == 3
+
+
+def test_a_click_on_a_pin_removes_it() -> None:
+    response = click(MarkTool(), "target", 10, 0)
+    assert response.commit is not None
+    assert response.commit.document.marks == ((0, 0),)
+
+
+def test_a_pin_is_dragged_to_another_vertex() -> None:
+    held = MarkTool().press(SCENE, at("target", 10, 0)).tool
+    held = held.move(SCENE, at("target", 5, 5)).tool.move(SCENE, at("target", 10, 9.9)).tool
+    assert held.overlay(SCENE, "target").pin == (2, 1)
+    response = held.release(SCENE, at("target", 10, 10))
+    assert response.commit is not None
+    assert response.commit.document.marks == ((0, 0), (1, 2))
+
+
+def test_a_pin_dragged_onto_another_is_refused() -> None:
+    held = MarkTool().press(SCENE, at("target", 10, 0)).tool.move(SCENE, at("target", 0, 0)).tool
+    response = held.release(SCENE, at("target", 0, 0))
+    assert response.commit is None
+    assert response.refusal is not None
+
+
+def test_a_pin_dragged_into_the_void_goes_back() -> None:
+    held = MarkTool().press(SCENE, at("target", 10, 0)).tool.move(SCENE, at("target", 5, 5)).tool
+    response = held.release(SCENE, at("target", 5, 5))
+    assert response.commit is None
+    assert response.tool == MarkTool("target")

@@ -1,0 +1,136 @@
+from app.model.document import Document
+from app.model.selection import Selection, everything
+from app.tools.select import Dragging, RubberBand, SelectTool
+from app.tools.tool import Key, Pointer, Response, Scene
+from starskel.polygon import Polygon
+
+SQUARE = Document(source=Polygon([(0, 0), (10, 0), (10, 10), (0, 10)]))
+SCENE = Scene(SQUARE, Selection())
+
+
+def at(x: float, y: float, *, shift: bool = False) -> Pointer:
+    return Pointer("source", (x, y), 0.5, shift)
+
+
+def drag(scene: Scene, start: tuple[float, float], *stops: tuple[float, float]) -> Response:
+    response = SelectTool().press(scene, at(*start))
+    scene = Scene(scene.document, response.selection or scene.selection)
+    for stop in stops:
+        response = response.tool.move(scene, at(*stop))
+    return response.tool.release(scene, at(*stops[-1]) if stops else at(*start))
+
+
+def test_a_press_selects_the_vertex_under_it() -> None:
+    response = SelectTool().press(SCENE, at(10.2, 0.1))
+    assert response.selection == Selection("source", frozenset([1]))
+
+
+def test_shift_adds_and_removes() -> None:
+    one = SelectTool().press(SCENE, at(0, 0, shift=True)).selection
+    assert one is not None
+    two = SelectTool().press(Scene(SQUARE, one), at(10, 0, shift=True)).selection
+    assert two == Selection("source", frozenset([0, 1]))
+    assert SelectTool().press(Scene(SQUARE, two), at(0, 0, shift=True)).selection == Selection(
+        "source", frozenset([1])
+    )
+
+
+def test_a_drag_previews_and_its_release_commits_once() -> None:
+    held = SelectTool().press(SCENE, at(0, 0)).tool.move(SCENE, at(-3, -1)).tool.move(SCENE, at(-4, -2))
+    assert held.commit is None
+    ring = held.tool.overlay(SCENE, "source").ring
+    assert ring is not None
+    assert ring[0].tolist() == [-4, -2]
+    response = held.tool.release(SCENE, at(-4, -2))
+    assert response.commit is not None
+    assert response.commit.document.vertices("source")[0].tolist() == [-4, -2]
+
+
+def test_a_drag_moves_everything_that_is_selected() -> None:
+    scene = Scene(SQUARE, everything(SQUARE, "source"))
+    response = drag(scene, (0, 0), (5, 5))
+    assert response.commit is not None
+    assert response.commit.document.vertices("source").tolist() == [[5, 5], [15, 5], [15, 15], [5, 15]]
+
+
+def test_a_click_on_one_of_many_selects_it_alone() -> None:
+    response = drag(Scene(SQUARE, everything(SQUARE, "source")), (0, 0))
+    assert response.commit is None
+    assert response.selection == Selection("source", frozenset([0]))
+
+
+def test_a_drag_that_crosses_is_refused_and_stores_nothing() -> None:
+    response = drag(SCENE, (0, 0), (5, 5), (15, 5))
+    assert response.commit is None
+    assert response.refusal is not None
+    assert len(response.refusal.segments) == 2
+
+
+def test_cancel_puts_a_dragged_vertex_back() -> None:
+    held = SelectTool().press(SCENE, at(0, 0)).tool.move(SCENE, at(-3, -1)).tool
+    assert isinstance(held, Dragging)
+    assert held.cancel().overlay(SCENE, "source").ring is None
+
+
+def test_the_selection_follows_a_triangle_turned_inside_out() -> None:
+    document = Document(source=Polygon([(0, 0), (10, 0), (0, 10)]))
+    scene = Scene(document, Selection())
+    response = drag(scene, (10, 0), (-5, 5))
+    assert response.commit is not None
+    assert response.selection is not None
+    (vertex,) = response.selection.vertices
+    assert response.commit.document.vertices("source")[vertex].tolist() == [-5, 5]
+
+
+def test_a_rubber_band_selects_what_is_inside() -> None:
+    response = SelectTool().press(SCENE, at(-2, -2))
+    assert isinstance(response.tool, RubberBand)
+    assert response.tool.move(SCENE, at(12, 5)).selection == Selection("source", frozenset([0, 1]))
+
+
+def test_a_rubber_band_with_shift_adds() -> None:
+    scene = Scene(SQUARE, Selection("source", frozenset([2])))
+    tool = SelectTool().press(scene, at(-2, -2, shift=True)).tool
+    assert tool.move(scene, at(2, 2)).selection == Selection("source", frozenset([0, 2]))
+
+
+def test_a_double_click_on_an_edge_inserts_there() -> None:
+    response = SelectTool().double_press(SCENE, at(5, 0.3))
+    assert response.commit is not None
+    assert response.commit.document.vertices("source")[1].tolist() == [5, 0]
+    assert response.selection == Selection("source", frozenset([1]))
+
+
+def test_a_double_click_elsewhere_does_nothing() -> None:
+    assert SelectTool().double_press(SCENE, at(5, 5)).commit is None
+    assert SelectTool().double_press(SCENE, at(0, 0)).commit is None
+
+
+def test_delete_removes_the_selection() -> None:
+    scene = Scene(SQUARE, Selection("source", frozenset([1])))
+    response = SelectTool().key(scene, Key("delete"))
+    assert response.commit is not None
+    assert len(response.commit.document.vertices("source")) == 3
+    assert not response.selection
+
+
+def test_deleting_too_many_is_refused() -> None:
+    scene = Scene(SQUARE, Selection("source", frozenset([1, 2])))
+    response = SelectTool().key(scene, Key("delete"))
+    assert response.commit is None
+    assert response.refusal is not None
+
+
+def test_arrow_keys_nudge_as_one_step() -> None:
+    scene = Scene(SQUARE, Selection("source", frozenset([2])))
+    first = SelectTool().key(scene, Key("up", step=0.25)).commit
+    second = SelectTool().key(scene, Key("right", step=0.25)).commit
+    assert first is not None
+    assert second is not None
+    assert first.document.vertices("source")[2].tolist() == [10, 10.25]
+    assert first.joins == second.joins
+
+
+def test_the_pointer_shows_the_vertex_or_the_place_to_insert() -> None:
+    assert SelectTool().move(SCENE, at(0.1, 0)).tool.overlay(SCENE, "source").vertex == 0
+    assert SelectTool().move(SCENE, at(5, 0.2)).tool.overlay(SCENE, "source").insertion == (5, 0)
