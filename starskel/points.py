@@ -1,0 +1,161 @@
+"""Points that are known exactly, though some were rounded: vertices that lie on a straight run of a ring.
+
+A vertex inserted on an edge is rounded to floats and so misses the edge by a hair. Taken literally it would bend the
+edge, now inwards, now outwards, and hide the run's other vertices from each other. Here such a vertex stands exactly
+on the chord of its run, as a share of the way between the corners at its ends; corners stand where their
+coordinates say. All decisions are exact in this model, which differs from the coordinates by less than `ROUNDING`.
+"""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from starskel.predicates import ROUNDING, Floats, Signs, orientation
+
+Indices = NDArray[np.intp]
+
+
+@dataclass(frozen=True, eq=False)
+class Points:
+    """A ring's vertices, followed by any number of free points.
+
+    Attributes
+    ----------
+    coordinates : (m, 2) array
+    start, end : (m,) arrays of int
+        The corners between which a straight vertex lies; a corner or a free point names itself twice.
+    share : (m,) array
+        The share of the way from start to end, inside (0, 1) for straight vertices.
+    rounded : (m,) array of bool
+        Whether the coordinates of a straight vertex miss its chord, so that its share tells where it is.
+    """
+
+    coordinates: Floats
+    start: Indices
+    end: Indices
+    share: Floats
+    rounded: NDArray[np.bool_]
+
+    @property
+    def straight(self) -> NDArray[np.bool_]:
+        """For each point whether it is a straight vertex."""
+        return self.start != self.end
+
+    def with_free(self, coordinates: Floats) -> "Points":
+        """Give these points followed by free ones at (k, 2) coordinates."""
+        new = len(self.start) + np.arange(len(coordinates))
+        return Points(
+            np.concatenate([self.coordinates, coordinates]),
+            np.concatenate([self.start, new]),
+            np.concatenate([self.end, new]),
+            np.concatenate([self.share, np.zeros(len(coordinates))]),
+            np.concatenate([self.rounded, np.zeros(len(coordinates), dtype=bool)]),
+        )
+
+    def orientation(self, i: Indices, j: Indices, k: Indices) -> Signs:
+        """Tell whether the turn from point i over j to k is left (1), right (-1) or none (0), exactly."""
+        rounded = self.rounded[i] | self.rounded[j] | self.rounded[k]
+        if not rounded.any():
+            return orientation(*(self.coordinates[p] for p in (i, j, k)))
+        i, j, k = np.broadcast_arrays(i, j, k)
+        signs = np.empty(i.shape, dtype=np.int8)
+        exact = ~rounded
+        signs[exact] = orientation(*(self.coordinates[p[exact]] for p in (i, j, k)))
+        signs[rounded] = self._filtered(i[rounded], j[rounded], k[rounded])
+        return signs
+
+    def _filtered(self, i: Indices, j: Indices, k: Indices) -> Signs:
+        a = self.coordinates[i] - self.coordinates[k]
+        b = self.coordinates[j] - self.coordinates[k]
+        determinant = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+        slack = 2 * ROUNDING * np.abs(self.coordinates).max()  # of a straight vertex, in each coordinate
+        bound = 4 * slack * (np.abs(a).sum(axis=1) + np.abs(b).sum(axis=1) + slack)
+        signs = np.sign(determinant).astype(np.int8)
+        undecided = np.abs(determinant) <= bound
+        if undecided.any():
+            signs[undecided] = self._by_corners(i[undecided], j[undecided], k[undecided])
+        return signs
+
+    def _by_corners(self, i: Indices, j: Indices, k: Indices) -> Signs:
+        """Decide from the turns of the corners: a determinant is a positive mean of theirs."""
+        ends = [
+            (np.where(self.rounded[p], self.start[p], p), np.where(self.rounded[p], self.end[p], p)) for p in (i, j, k)
+        ]
+        turns = np.stack([self._turn_of_corners(*corners) for corners in product(*ends)])
+        low, high = turns.min(axis=0), turns.max(axis=0)
+        signs = np.where(low >= 0, high, low)
+        for p in np.flatnonzero((low < 0) & (high > 0)):
+            signs[p] = self._by_fractions(int(i[p]), int(j[p]), int(k[p]))
+        return signs
+
+    def _turn_of_corners(self, i: Indices, j: Indices, k: Indices) -> Signs:
+        turns = np.zeros(len(i), dtype=np.int8)
+        different = (i != j) & (j != k) & (k != i)
+        turns[different] = orientation(*(self.coordinates[p[different]] for p in (i, j, k)))
+        return turns
+
+    def _by_fractions(self, i: int, j: int, k: int) -> int:
+        (ax, ay), (bx, by), (cx, cy) = (self._exact(p) for p in (i, j, k))
+        determinant = (ax - cx) * (by - cy) - (ay - cy) * (bx - cx)
+        return (determinant > 0) - (determinant < 0)
+
+    def _exact(self, i: int) -> tuple[Fraction, Fraction]:
+        share = Fraction(float(self.share[i]) if self.rounded[i] else 0)
+        ends = (self.start[i], self.end[i]) if self.rounded[i] else (i, i)
+        start, end = self.coordinates[list(ends)]
+        x, y = ((1 - share) * Fraction(float(a)) + share * Fraction(float(b)) for a, b in zip(start, end, strict=True))
+        return x, y
+
+
+def points_of(ring: Floats) -> Points:
+    """Give the vertices of a ring as exact points, its straight runs found."""
+    n = len(ring)
+    own = np.arange(n)
+    points = Points(ring, own.copy(), own.copy(), np.zeros(n), np.zeros(n, dtype=bool))
+    slack = ROUNDING * float(np.abs(ring).max())
+    corner = ~_near_chord(np.roll(ring, 1, axis=0), ring, np.roll(ring, -1, axis=0), 2 * slack)
+    corner[[np.lexsort(ring.T)[0], np.lexsort(ring.T)[-1]]] = True  # hull vertices: every run ends somewhere
+    ends = np.flatnonzero(corner)
+    for first, last in zip(ends, np.append(ends[1:], ends[0] + n), strict=True):
+        if last - first > 1:
+            _straighten(points, int(first), int(last), slack)
+    return points
+
+
+def _straighten(points: Points, first: int, last: int, slack: float) -> None:
+    """Set the straight vertices between two corners, splitting the run where it leaves its chord."""
+    ring = points.coordinates
+    n = len(ring)
+    runs = [(first, last)]
+    while runs:
+        first, last = runs.pop()
+        if last - first < 2:
+            continue
+        inner = np.arange(first + 1, last) % n
+        a, b = ring[first % n], ring[last % n]
+        share = ((ring[inner] - a) @ (b - a)) / ((b - a) @ (b - a))
+        ways = np.concatenate([[0.0], share, [1.0]])
+        if _near_chord(a, ring[inner], b, slack).all() and (np.diff(ways) > 0).all():
+            points.start[inner], points.end[inner], points.share[inner] = first % n, last % n, share
+            points.rounded[inner] = orientation(a, ring[inner], b) != 0
+        else:
+            split = first + 1 + int(_distance(a, ring[inner], b).argmax())
+            runs += [(first, split), (split, last)]
+
+
+def _near_chord(a: Floats, v: Floats, b: Floats, slack: float) -> NDArray[np.bool_]:
+    near: NDArray[np.bool_] = _distance(a, v, b) <= slack
+    return near
+
+
+def _distance(a: Floats, v: Floats, b: Floats) -> Floats:
+    """Give the distances of points v from the segments ab."""
+    chord = b - a
+    squared = (chord**2).sum(axis=-1)
+    share = ((v - a) * chord).sum(axis=-1) / np.where(squared > 0, squared, 1.0)
+    foot = a + np.clip(share, 0.0, 1.0)[..., None] * chord
+    distance: Floats = np.hypot(*(v - foot).T)
+    return distance

@@ -1,0 +1,95 @@
+"""Families of seeded polygons and pairs, for tests and benchmarks."""
+
+import numpy as np
+
+from starskel.errors import InvalidPolygon
+from starskel.polygon import Polygon, crossing_edges
+from starskel.predicates import Floats
+
+
+def two_opt(n: int, seed: int, grid: int = 0) -> Floats:
+    """A random simple ring of n vertices: a random tour, untangled; on an integer grid if one is given."""
+    rng = np.random.default_rng([n, seed, grid])
+    while True:
+        points = rng.random((n, 2)) * 100
+        if grid:
+            cells = rng.choice(grid * grid, n, replace=False)
+            points = np.stack(np.divmod(cells, grid), axis=1).astype(float)
+        ring = _untangle(points, rng)
+        try:
+            return Polygon(ring).vertices
+        except InvalidPolygon:
+            continue
+
+
+def _untangle(ring: Floats, rng: np.random.Generator) -> Floats:
+    for _ in range(50 * len(ring)):
+        pairs = crossing_edges(ring)
+        if not len(pairs):
+            break
+        i, j = pairs[rng.integers(len(pairs))]
+        if j - i > 1:
+            ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1].copy()
+        else:
+            ring = rng.permutation(ring)
+    return ring
+
+
+def related(n: int, seed: int, spread: float = 0.5) -> tuple[Floats, Floats]:
+    """A random ring, and one with its turning angles and edge lengths perturbed."""
+    rng = np.random.default_rng([n, seed, 7])
+    source = two_opt(n, seed)
+    edges = np.roll(source, -1, axis=0) - source
+    lengths = np.hypot(*edges.T)
+    directions = np.unwrap(np.arctan2(edges[:, 1], edges[:, 0]))
+    for attempt in range(10_000):
+        scale = spread * 0.999**attempt
+        bent = directions + np.cumsum(rng.normal(0, scale, n)) * 0.3
+        stretched = lengths * np.exp(rng.normal(0, scale, n))
+        steps = stretched[:, None] * np.stack([np.cos(bent), np.sin(bent)], axis=1)
+        steps -= steps.mean(axis=0)
+        target = np.cumsum(steps, axis=0)
+        try:
+            polygon = Polygon(target)
+        except InvalidPolygon:
+            continue
+        if np.array_equal(polygon.vertices, target):
+            return source, target
+    raise AssertionError("no simple relative found")
+
+
+def comb(teeth: int, depth: float = 8.0) -> Floats:
+    """A comb: teeth of one width on a bar; tips and valleys on two straight lines."""
+    upper = [(2 * k + dx, y) for k in range(teeth) for dx, y in ((0, 1), (0, depth), (1, depth), (1, 1))]
+    ring = [(0, 0), (2 * teeth - 1, 0), *upper[::-1]]
+    return Polygon(np.array(ring[:-1] if ring[-1] == (0, 1) else ring, dtype=float)).vertices
+
+
+def spiral(n: int, turns: float = 2.0, handed: int = 1) -> Floats:
+    """A spiral band of n vertices (n even)."""
+    angles = np.linspace(0.5, 2 * np.pi * turns, n // 2)
+    arm = np.stack([np.cos(angles), handed * np.sin(angles)], axis=1) * angles[:, None]
+    inner = arm * (1 - 2.0 / np.maximum(angles, 4))[:, None]
+    return Polygon(np.concatenate([arm, inner[::-1]])).vertices
+
+
+def blob(n: int, seed: int = 0, arms: int = 5, depth: float = 0.5) -> Floats:
+    """A smooth ring of n vertices with arms."""
+    rng = np.random.default_rng([seed, arms])
+    angles = np.linspace(0, 2 * np.pi, n, endpoint=False)
+    radius = 1 + depth * np.cos(arms * angles + rng.random()) + 0.15 * np.cos((arms + 2) * angles + rng.random())
+    bend = 0.4 * np.sin(2 * angles + rng.random())
+    return 10 * radius[:, None] * np.stack([np.cos(angles + bend), np.sin(angles + bend)], axis=1)
+
+
+def subdivided(ring: Floats, parts: int) -> Floats:
+    """The ring with every edge cut into parts: long runs of vertices that are straight but for rounding."""
+    shares = np.arange(parts)[None, :, None] / parts
+    ends = np.roll(ring, -1, axis=0)
+    return ((1 - shares) * ring[:, None] + shares * ends[:, None]).reshape(-1, 2)
+
+
+def turned(ring: Floats, angle: float) -> Floats:
+    """The ring turned round the coordinates' origin."""
+    c, s = np.cos(angle), np.sin(angle)
+    return ring @ np.array([[c, s], [-s, c]])
