@@ -1,11 +1,23 @@
-"""From a few marks to a complete correspondence."""
+"""From a few marks to a complete correspondence: align vertices, give new partners to those left alone."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TypeAlias, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
+import shapely
+from numpy.typing import ArrayLike, NDArray
 
+from starskel.alignment import Chains, align
+from starskel.insertion import inserted, merged
+from starskel.marks import Mark, as_marks, checked_marks
+from starskel.outline import precedes
+from starskel.polygon import Polygon
 from starskel.predicates import Floats
+from starskel.start import best_start
+
+Number = TypeVar("Number", np.float64, np.intp)
+PolygonLike: TypeAlias = Polygon | shapely.Polygon | ArrayLike
 
 
 @dataclass(frozen=True, eq=False)
@@ -15,7 +27,7 @@ class Correspondence:
     Attributes
     ----------
     source, target : (n, 2) arrays
-        The rings, counter-clockwise, with the vertices that were inserted; row 0 of the source is its vertex 0.
+        The rings, counter-clockwise, with the inserted vertices; row 0 of the source is its vertex 0.
     marks : tuple of (int, int)
         The marks as given: a vertex of the source polygon, a vertex of the target polygon.
     source_vertices, target_vertices : (n,) arrays of int
@@ -30,3 +42,67 @@ class Correspondence:
 
     def __len__(self) -> int:
         return len(self.source)
+
+
+def match(source: PolygonLike, target: PolygonLike, marks: Iterable[tuple[int, int]] = ()) -> Correspondence:
+    """Complete a partial correspondence between two polygons.
+
+    The marks cut both outlines into chains, whose vertices are aligned by share of the length and by turning
+    angle. A vertex left alone gets a new partner on an edge of the other polygon, by edge lengths between its
+    matched neighbours (paper, section 5). The shapes do not change, and exchanging them gives the same pairs of
+    vertices. Without marks the outlines are aligned from the start that suits them best.
+
+    Parameters
+    ----------
+    source, target : Polygon, shapely Polygon or (n, 2) array-like
+    marks : iterable of (int, int)
+        Vertices that correspond, as indices of the points given, from 0.
+
+    Raises
+    ------
+    InvalidPolygon
+        Where the points form no simple polygon, or an edge is too short to take new vertices.
+    InvalidMarks
+        Where a mark names a missing vertex, or two of them contradict each other.
+    """
+    polygons = _as_polygon(source), _as_polygon(target)
+    given = as_marks(marks)
+    own = checked_marks(*polygons, given)
+    rings = polygons[0].vertices, polygons[1].vertices
+    if precedes(rings[1], rings[0]):
+        points, vertices = _completed(rings[::-1], [(j, i) for i, j in own])
+        points, vertices = points[::-1], vertices[::-1]
+    else:
+        points, vertices = _completed(rings, own)
+    start = int(np.flatnonzero(vertices[0] == 0)[0])
+    source_ring, target_ring = (_read_only(np.roll(ring, -start, axis=0)) for ring in points)
+    source_rows, target_rows = (_read_only(np.roll(rows, -start)) for rows in vertices)
+    return Correspondence(source_ring, target_ring, given, source_rows, target_rows)
+
+
+def _as_polygon(shape: PolygonLike) -> Polygon:
+    return shape if isinstance(shape, Polygon) else Polygon(shape)
+
+
+def _completed(
+    rings: tuple[Floats, Floats], marks: list[Mark]
+) -> tuple[tuple[Floats, Floats], NDArray[np.intp]]:
+    """Give both rings with as many points, and for each of these the vertex, or -1."""
+    matched = _aligned(*rings, sorted(marks) or [best_start(*rings)])
+    rows = merged(rings, np.array(matched, dtype=np.intp))
+    return (inserted(rings[0], rows, 0), inserted(rings[1], rows, 1)), rows.vertices
+
+
+def _aligned(source: Floats, target: Floats, marks: list[Mark]) -> list[Mark]:
+    """Give all pairs of vertices that correspond, in the order round the source from the first mark."""
+    matched: list[Mark] = []
+    for (i, j), (next_i, next_j) in zip(marks, [*marks[1:], marks[0]], strict=True):
+        pairs = align(Chains.of(source, i, next_i), Chains.of(target, j, next_j))
+        matched.append((i, j))
+        matched += [((i + 1 + k) % len(source), (j + 1 + m) % len(target)) for k, m in pairs]
+    return matched
+
+
+def _read_only(array: NDArray[Number]) -> NDArray[Number]:
+    array.flags.writeable = False
+    return array

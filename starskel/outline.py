@@ -1,0 +1,44 @@
+"""What makes an outline: edge vectors, lengths, turning angles, area; of one ring or of a stack of frames."""
+
+import numpy as np
+
+from starskel.predicates import Floats, orientation
+
+
+def edge_vectors(rings: Floats) -> Floats:
+    """Give the (..., n, 2) vectors from each vertex to the next."""
+    return np.asarray(np.roll(rings, -1, axis=-2) - rings)
+
+
+def edge_lengths(rings: Floats) -> Floats:
+    """Give the (..., n) lengths of the edges, edge i from vertex i to the next."""
+    x, y = np.moveaxis(edge_vectors(rings), -1, 0)
+    return np.asarray(np.hypot(x, y))
+
+
+def turning_angles(rings: Floats) -> Floats:
+    """Give by how much the outline turns at each vertex, (..., n), in [-pi, pi], left turns positive.
+
+    The sign is exact: the angles of a simple counter-clockwise ring sum up to 2 pi however sharp its spikes.
+    """
+    before, after = np.roll(rings, 1, axis=-2), np.roll(rings, -1, axis=-2)
+    (ux, uy), (vx, vy) = np.moveaxis(rings - before, -1, 0), np.moveaxis(after - rings, -1, 0)
+    magnitude = np.abs(np.arctan2(ux * vy - uy * vx, ux * vx + uy * vy))
+    return np.asarray(np.where(orientation(before, rings, after) < 0, -magnitude, magnitude))
+
+
+def signed_areas(rings: Floats) -> Floats:
+    """Give the (...) areas of the rings, negative where they run clockwise."""
+    x, y = np.moveaxis(rings - rings[..., :1, :], -1, 0)
+    return np.asarray(0.5 * (x * np.roll(y, -1, axis=-1) - y * np.roll(x, -1, axis=-1)).sum(axis=-1))
+
+
+def precedes(first: Floats, second: Floats) -> bool:
+    """Tell which ring comes first in a fixed order: that of fewer vertices, then of smaller coordinates.
+
+    What is computed for a pair in this order is the same, to the bit, whichever of them is called the source.
+    """
+    if len(first) != len(second):
+        return len(first) < len(second)
+    unequal = np.flatnonzero(first.ravel() != second.ravel())
+    return bool(len(unequal) and first.flat[unequal[0]] < second.flat[unequal[0]])
