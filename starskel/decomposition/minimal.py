@@ -1,0 +1,197 @@
+"""The compatible star decomposition with the fewest pieces that needs no Steiner vertices.
+
+A dynamic program over sub-polygons, after Keil (paper, references 11 and 12), for two polygons at once. A link is an
+edge of the ring or a diagonal of both polygons. For i < j with a link (i, j), f[i, j] is the cost of the
+sub-polygon i..j. The piece on (i, j) has a star vertex k, and its boundary is a chain of links
+i = v0 < v1 < ... < k < ... < j over vertices that k sees in both polygons. The best half chains from i up to k and
+from k down to j are tabulated as well,
+
+    left[i, k]  = min over v in (i, k] with link (i, v) of f[i, v] + left[v, k],    left[k, k] = 0
+    right[k, j] = min over v in [k, j) with link (v, j) of right[k, v] + f[v, j],   right[k, k] = 0
+    f[i, j] = 1 + min over k of left[i, k] + right[k, j],                           f of an edge of the ring = 0
+
+so that each of the O(n^2) entries is a minimum over O(n): O(n^3) in all, where the paper has O(n^4). Entries of equal
+span j - i are found together. The closing edge (0, n - 1) stands for the whole ring.
+
+Where that has no answer, the same tables tell how far common diagonals lead: a cell bounded by a chain of any links,
+star or not, is let in at a price that grows with its size,
+
+    chain[i, j] = size price + min(f[i, j], min over v of f[i, v] + chain[v, j])
+
+so that the cells that are no star pieces are few and small. These cells are called stuck.
+
+A cost is the number of pieces plus the total length of shared edges, scaled to stay below 1/2: among the
+decompositions with fewest pieces it chooses the one with the shortest cuts.
+"""
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from starskel.predicates import Floats
+from starskel.task import Task
+from starskel.visibility import Relation
+
+Piece = tuple[int, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Links:
+    """What both polygons allow.
+
+    Attributes
+    ----------
+    sees : (n, n) array of bool
+        Pairs of vertices that see each other in both polygons.
+    diagonal : (n, n) array of bool
+        Diagonals of both polygons.
+    price : (n, n) array
+        What a diagonal costs: its length, scaled so that n of them together cost less than 1/2.
+    """
+
+    sees: Relation
+    diagonal: Relation
+    price: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class _Tables:
+    """Symmetric tables: entries [i, j] and [j, i], i < j, both belong to the span i..j.
+
+    Every minimum then runs along two rows, which lie contiguous in memory.
+    """
+
+    f: Floats
+    left: Floats
+    right: Floats
+    chain: Floats | None
+
+
+def minimal_pieces(links: Links, task: Task) -> list[Piece] | None:
+    """Give the pieces as rows of vertices, counter-clockwise, or None where there is no decomposition.
+
+    Raises
+    ------
+    Cancelled
+        If the task is told to stop.
+    """
+    n = len(links.sees)
+    f, left, right = (np.full((n, n), np.inf) for _ in range(3))
+    tables = _fill(_Tables(f, left, right, None), links, task)
+    return _pieces(tables, links) if np.isfinite(f[0, n - 1]) else None
+
+
+def least_stuck_cells(links: Links, task: Task) -> list[Piece]:
+    """Give star pieces and stuck cells that together tile both polygons, the stuck cells as small as they can be."""
+    n = len(links.sees)
+    f, left, right, chain = (np.full((n, n), np.inf) for _ in range(4))
+    return _pieces(_fill(_Tables(f, left, right, chain), links, task), links)
+
+
+def _fill(tables: _Tables, links: Links, task: Task) -> _Tables:
+    n = len(links.sees)
+    for table in (tables.f, tables.left, tables.right):
+        _set(table, np.arange(n - 1), 1, np.zeros(n - 1))
+    if tables.chain is not None:
+        _set(tables.chain, np.arange(n - 1), 1, np.full(n - 1, float(n)))
+    for span in range(2, n):
+        task.reach((span / n) ** 2)
+        _fill_span(tables, links, span)
+    return tables
+
+
+def _fill_span(tables: _Tables, links: Links, span: int) -> None:
+    seen = np.flatnonzero(np.diagonal(links.sees, span))
+    linked = np.flatnonzero(np.diagonal(links.diagonal, span)) if span < len(links.sees) - 1 else np.array([0])
+    left = _least(tables.f, tables.left, seen, span)
+    right = _least(tables.right, tables.f, seen, span)
+    _set(tables.left, seen, span, left)
+    _set(tables.right, seen, span, right)
+    cost = _least(tables.left, tables.right, linked, span)
+    ends = np.minimum(tables.left[linked, linked + span], tables.right[linked, linked + span])
+    cost = 1 + np.minimum(cost, ends)
+    if tables.chain is not None:
+        every = np.arange(len(links.sees) - span)
+        chain = _least(tables.f, tables.chain, every, span)
+        cost = np.minimum(cost, chain[linked] + len(links.sees))
+    cost += links.price[linked, linked + span]
+    _set(tables.f, linked, span, cost)
+    for table in (tables.left, tables.right):  # every diagonal is seen
+        _set(table, linked, span, np.minimum(table[linked, linked + span], cost))
+    if tables.chain is not None:
+        chain[linked] = np.minimum(chain[linked], cost)
+        _set(tables.chain, every, span, chain + len(links.sees))
+
+
+def _least(first: Floats, second: Floats, rows: np.ndarray, span: int) -> Floats:
+    """For spans i..j at the given i, the least first[i, v] + second[v, j] over i < v < j."""
+    along_i = _spans(first, 0, span)[rows]
+    along_i += _spans(second, span, span)[rows]
+    least: Floats = along_i.min(axis=1, initial=np.inf)
+    return least
+
+
+def _spans(table: Floats, offset: int, span: int) -> Floats:
+    """View row i of the result as table[i + offset, i + 1 : i + span]."""
+    n = len(table)
+    return np.lib.stride_tricks.as_strided(
+        table[offset:, 1:], (n - span, span - 1), (table.strides[0] + table.strides[1], table.strides[1])
+    )
+
+
+def _set(table: Floats, rows: np.ndarray, span: int, values: Floats) -> None:
+    table[rows, rows + span] = values
+    table[rows + span, rows] = values
+
+
+def _pieces(tables: _Tables, links: Links) -> list[Piece]:
+    """Walk back through the tables; equal costs are decided for the lowest index."""
+    pieces: list[Piece] = []
+    waiting = [(0, len(links.sees) - 1)]
+    while waiting:
+        boundary = _boundary(tables, links, *waiting.pop())
+        pieces.append(tuple(boundary))
+        waiting += [(a, b) for a, b in pairwise(boundary) if b - a > 1]
+    return pieces
+
+
+def _boundary(tables: _Tables, links: Links, i: int, j: int) -> list[int]:
+    """Give the vertices of the piece on the link (i, j), from i to j."""
+    inner = np.full(j - i + 1, np.inf)
+    inner[1:-1] = _through(tables.left, tables.right, i, j)
+    if links.sees[i, j]:
+        inner[0] = _through(tables.right, tables.f, i, j).min()
+        inner[-1] = _through(tables.f, tables.left, i, j).min()
+    k = i + int(inner.argmin())
+    if tables.chain is not None:
+        chain = _through(tables.f, tables.chain, i, j)
+        if chain.min() + len(links.sees) < 1 + inner.min():
+            first = i + 1 + int(chain.argmin())
+            return [i, first, *_chain_of_links(tables.f, tables.chain, first, j)]
+    ahead = _chain_of_links(tables.f, tables.left, i, k, closing=(i, j))
+    back = _chain_of_links(tables.f, tables.right, j, k, closing=(j, i))
+    return [i, *ahead, *back[-2::-1], j] if k < j else [i, *ahead]
+
+
+def _chain_of_links(
+    f: Floats, rest: Floats, start: int, end: int, closing: tuple[int, int] | None = None
+) -> list[int]:
+    """Give the cheapest chain from start, without it, to end; the piece's closing link is not in it."""
+    chain = []
+    at = start
+    while at != end:
+        low = min(at, end)
+        through = _through(f, rest, at, end)
+        direct = f[at, end] if (at, end) != closing else np.inf
+        straight_on = not len(through) or direct <= through.min()
+        at = end if straight_on else low + 1 + int(through.argmin())
+        chain.append(at)
+    return chain
+
+
+def _through(first: Floats, second: Floats, i: int, j: int) -> Floats:
+    """For all v strictly between i and j, in rising order, give first[i, v] + second[v, j]."""
+    inner = slice(min(i, j) + 1, max(i, j))
+    through: Floats = first[i, inner] + second[j, inner]
+    return through

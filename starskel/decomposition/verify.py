@@ -1,0 +1,59 @@
+"""Proving a decomposition from outside, without the code that made it.
+
+Every piece is a simple counter-clockwise ring, and the pieces' edges cancel in pairs but for those of the polygon.
+Then the winding numbers of the pieces add up to that of the polygon, 1 inside and 0 outside, and as each of them is
+0 or 1 the pieces tile the polygon without overlap. It remains to see that each origin sees its piece.
+"""
+
+from collections import Counter
+
+import numpy as np
+
+from starskel.decomposition.kernel import is_star_point
+from starskel.decomposition.pieces import Decomposition
+from starskel.polygon import crossing_edges, signed_area
+from starskel.predicates import Floats
+
+
+def faults(decomposition: Decomposition) -> list[str]:
+    """Say what is wrong with a decomposition; an empty list is the proof that nothing is."""
+    found = _edge_faults(decomposition)
+    sides = (
+        ("source", decomposition.pair.source, decomposition.source, decomposition.source_origins),
+        ("target", decomposition.pair.target, decomposition.target, decomposition.target_origins),
+    )
+    for side, ring, vertices, origins in sides:
+        if not np.array_equal(vertices[: len(ring)], ring):
+            found.append(f"{side}: the first vertices are not those of the polygon")
+        if len(origins) != len(decomposition.pieces):
+            found.append(f"{side}: {len(origins)} origins for {len(decomposition.pieces)} pieces")
+            continue
+        for at, piece in enumerate(decomposition.pieces):
+            fault = _piece_fault(vertices[list(piece)], origins[at])
+            if fault:
+                found.append(f"{side}: piece {at} {fault}")
+    return found
+
+
+def _edge_faults(decomposition: Decomposition) -> list[str]:
+    n = len(decomposition.pair.source)
+    edges = Counter(
+        (a, b) for piece in decomposition.pieces for a, b in zip(piece, (*piece[1:], piece[0]), strict=True)
+    )
+    ring = {(i, (i + 1) % n) for i in range(n)}
+    found = [f"edge {a}-{b} stands {k} times in one direction" for (a, b), k in edges.items() if k > 1]
+    found += [f"edge {a}-{b} of the polygon is in no piece" for a, b in sorted(ring - edges.keys())]
+    lonely = sorted((a, b) for a, b in edges if ((b, a) not in edges) != ((a, b) in ring))
+    return found + [f"edge {a}-{b} has no partner" for a, b in lonely]
+
+
+def _piece_fault(ring: Floats, origin: Floats) -> str:
+    if len(ring) < 3:
+        return "has fewer than 3 vertices"
+    if len(crossing_edges(ring)):
+        return "is not simple"
+    if not signed_area(ring) > 0:
+        return "is not counter-clockwise"
+    if not is_star_point(ring, origin):
+        return "is not seen whole from its origin"
+    return ""
