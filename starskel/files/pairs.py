@@ -9,7 +9,8 @@ import msgspec
 
 from starskel.errors import InvalidFile
 from starskel.files.documents import check_format, read_document, write_document
-from starskel.files.shapes import Mark, Row, marks_of, polygon_of, rows_of
+from starskel.files.shapes import Row, marked_shapes, polygon_of, rows_of
+from starskel.marks import Mark
 from starskel.polygon import Polygon
 
 FORMAT = "polygon-pairs/1"
@@ -85,7 +86,7 @@ class PairsFile:
         where = f'{self.path}: pair "{entry.id}"'
         source = polygon_of(entry.p, f"{where}: source (p)")
         target = polygon_of(entry.q, f"{where}: target (q)")
-        marks = marks_of(entry.marks, source, target, where)
+        source, target, marks = marked_shapes(source, target, entry.marks, where)
         return ShapePair(entry.id, source, target, marks, tuple(entry.tags), entry.source)
 
     def _suggestion(self, pair_id: str) -> str:

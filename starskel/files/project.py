@@ -7,7 +7,8 @@ import msgspec
 
 from starskel.errors import InvalidFile
 from starskel.files.documents import check_format, read_document, write_document
-from starskel.files.shapes import Mark, Row, marks_of, polygon_of, rows_of
+from starskel.files.shapes import Row, marked_shapes, polygon_of, rows_of
+from starskel.marks import Mark
 from starskel.polygon import Polygon
 
 FORMAT = "starskel-project"
@@ -66,7 +67,7 @@ def read_project(path: Path) -> Project:
     target = polygon_of(document.target, f"{path}: target") if document.target is not None else None
     marks: tuple[Mark, ...] = ()
     if source is not None and target is not None:
-        marks = marks_of(document.marks, source, target, str(path))
+        source, target, marks = marked_shapes(source, target, document.marks, str(path))
     elif document.marks:
         raise InvalidFile(
             f"{path} has marks, but not both shapes", "add the missing shape or remove the marks"

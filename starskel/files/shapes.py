@@ -2,11 +2,11 @@
 
 from collections.abc import Sequence
 
-from starskel.errors import InvalidFile, InvalidPolygon
+from starskel.errors import InvalidFile, InvalidMarks, InvalidPolygon
+from starskel.marks import Mark, checked_marks
 from starskel.polygon import Polygon
 
 Row = tuple[float, float]
-Mark = tuple[int, int]
 
 
 def rows_of(polygon: Polygon) -> list[Row]:
@@ -28,19 +28,21 @@ def polygon_of(rows: Sequence[Row], where: str) -> Polygon:
         raise InvalidFile(f"{where}: {error.what}", error.mend) from error
 
 
-def marks_of(marks: Sequence[Mark], source: Polygon, target: Polygon, where: str) -> tuple[Mark, ...]:
-    """Give marks, whose numbers count a file's rows, as numbers of the polygons' vertices.
+def marked_shapes(
+    source: Polygon, target: Polygon, marks: Sequence[Mark], where: str
+) -> tuple[Polygon, Polygon, tuple[Mark, ...]]:
+    """Give the polygons of a file, and its marks, which count rows of the file, as indices of `vertices`.
+
+    The polygons come back as if they had been given counter-clockwise, so that the marks fit them either way.
 
     Raises
     ------
     InvalidFile
-        If a mark names a vertex that is not there.
+        From the marks' own error, with `where` put in front.
     """
-    for number, (i, j) in enumerate(marks):
-        for name, vertex, polygon in (("source", i, source), ("target", j, target)):
-            if not 0 <= vertex < len(polygon):
-                raise InvalidFile(
-                    f"{where}: mark {number} names vertex {vertex} of the {name}, which has {len(polygon)}",
-                    f"name one of 0 to {len(polygon) - 1}",
-                )
-    return tuple((source.vertex_of(i), target.vertex_of(j)) for i, j in marks)
+    try:
+        checked_marks(source, target, tuple(marks))
+    except InvalidMarks as error:
+        raise InvalidFile(f"{where}: {error.what}", error.mend) from error
+    own = tuple((source.vertex_of(i), target.vertex_of(j)) for i, j in marks)
+    return Polygon(source.vertices), Polygon(target.vertices), own

@@ -30,6 +30,7 @@ def test_marks_follow_a_ring_that_is_turned_round(path):
     pair = read_pairs(written(path, {**ENTRY, "p": clockwise, "marks": [[1, 2], [3, 0]]})).pair("one")
     for (i, j), (given_i, given_j) in zip(pair.marks, [[1, 2], [3, 0]], strict=True):
         assert pair.source.vertices[i].tolist() == clockwise[given_i]
+        assert pair.source.vertex_of(i) == i  # also where the mark is taken for a row of the polygon given
         assert pair.target.vertices[j].tolist() == SQUARE[given_j]
 
 
@@ -49,7 +50,12 @@ def test_a_bad_pair_spoils_no_other(path):
     [
         ({"q": SQUARE[:2]}, r"target \(q\): a polygon of 2 points"),
         ({"p": [*SQUARE, [4, 4]]}, r"source \(p\): vertices 2 and 4 are both at"),
-        ({"marks": [[0, 0], [4, 1]]}, "mark 1 names vertex 4 of the source, which has 4; name one of 0 to 3"),
+        (
+            {"marks": [[0, 0], [4, 1]]},
+            "mark 1 names vertex 4 of the source, which has 4; give a vertex from 0 to 3",
+        ),
+        ({"marks": [[0, 0], [0, 1]]}, "marks 0 and 1 both name vertex 0 of the source; remove one of them"),
+        ({"marks": [[0, 0], [1, 2], [2, 1]]}, r"marks 0 .* come in one order round the source"),
         ({"marks": [[0, -1]]}, "mark 0 names vertex -1 of the target"),
     ],
 )

@@ -1,0 +1,1 @@
+"""Sheets of keyframes: how they are laid out, whatever file they go into."""

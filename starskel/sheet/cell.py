@@ -1,0 +1,100 @@
+"""One keyframe on paper."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from starskel.predicates import Floats
+from starskel.sheet import style
+from starskel.sheet.drawing import Area, Disc, Item, Label, Line, Place, Stroke
+from starskel.sheet.keyframe import Keyframe
+
+
+@dataclass(frozen=True, eq=False)
+class Placement:
+    """Where the user's plane lies on the paper.
+
+    Attributes
+    ----------
+    scale : float
+        Points for one of the user's units.
+    centre : (2,) array
+        A point of the user's plane.
+    place : (2,) array
+        Where this point lies on the paper.
+    """
+
+    scale: float
+    centre: Floats
+    place: Floats
+
+    def __call__(self, points: Floats) -> Floats:
+        """Give points of the user's plane, in (k, 2) rows, on the paper."""
+        return (points - self.centre) * self.scale + self.place
+
+
+def cell(frame: Keyframe, on_paper: Placement) -> Iterator[Item]:
+    """Give what is drawn of a keyframe: fill or star pieces, outline, skeleton, crossings, pins."""
+    ring = on_paper(frame.ring)
+    if frame.pieces:
+        yield from _pieces([on_paper(piece) for piece in frame.pieces])
+        yield Area(ring, stroke=_outline(frame))
+    else:
+        yield Area(ring, style.fill(frame.t), _outline(frame))
+    yield from _skeleton([on_paper(arc) for arc in frame.skeleton])
+    yield from _crossings(on_paper(frame.crossings))
+    yield from _pins(ring, frame.marks)
+
+
+def cross_sign(place: Place, radius: float) -> Iterator[Item]:
+    """Give the sign of a shape that meets itself: a white cross on a disc."""
+    yield Disc(place, radius, style.CROSSING)
+    yield from _strokes(place, radius, [[(-0.42, -0.42), (0.42, 0.42)], [(-0.42, 0.42), (0.42, -0.42)]])
+
+
+def tick_sign(place: Place, radius: float) -> Iterator[Item]:
+    """Give the sign of a shape that nowhere meets itself: a white tick on a disc."""
+    yield Disc(place, radius, style.SIMPLE)
+    yield from _strokes(place, radius, [[(-0.5, 0.0), (-0.12, -0.4), (0.5, 0.38)]])
+
+
+def _strokes(place: Place, radius: float, lines: list[list[Place]]) -> Iterator[Item]:
+    for line in lines:
+        yield Line(np.array(place) + radius * np.array(line), Stroke(style.PAPER, 0.3 * radius))
+
+
+def _outline(frame: Keyframe) -> Stroke:
+    return style.OUTLINE if frame.simple else style.CROSSING_OUTLINE
+
+
+def _pieces(rings: list[Floats]) -> Iterator[Item]:
+    for number, ring in enumerate(rings):
+        yield Area(ring, style.PIECES[number % len(style.PIECES)], style.PIECE_OUTLINE)
+
+
+def _skeleton(arcs: list[Floats]) -> Iterator[Item]:
+    for arc in arcs:
+        yield Line(arc, style.SKELETON_LINE)
+    for arc in arcs:
+        for x, y in arc.tolist():
+            yield Disc((x, y), 1.4, style.SKELETON)
+
+
+def _crossings(places: Floats) -> Iterator[Item]:
+    """Ring the places where the shape meets itself; one ring for those that lie close together."""
+    radius = 4.0
+    ringed: list[Place] = []
+    for x, y in places.tolist():
+        if all(np.hypot(x - a, y - b) > 1.5 * radius for a, b in ringed):
+            ringed.append((x, y))
+            yield Disc((x, y), radius, stroke=style.CROSSING_OUTLINE)
+
+
+def _pins(ring: Floats, marks: tuple[int, ...]) -> Iterator[Item]:
+    for number, row in enumerate(marks, 1):
+        x, y = ring[row].tolist()
+        yield Disc((x, y), 0.75 * style.PIN_SIZE, style.INK)
+        yield Label(
+            str(number), (x, y - 0.35 * style.PIN_SIZE), style.PIN_SIZE, style.PAPER, "middle", bold=True
+        )

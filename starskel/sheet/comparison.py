@@ -1,0 +1,95 @@
+"""The sheet that compares methods: a row for each, with its verdict, its figures and its frames."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from starskel.sheet import style
+from starskel.sheet.cell import cross_sign, tick_sign
+from starskel.sheet.drawing import Area, Drawing, Item, Label, Line
+from starskel.sheet.keyframe import Keyframe
+from starskel.sheet.rows import Grid
+
+_HEADING = 150.0
+_TITLE = 34.0
+_LINE = 12.0
+_SIGN = 4.0
+
+
+@dataclass(frozen=True, eq=False)
+class Row:
+    """What a method made of a pair.
+
+    Attributes
+    ----------
+    name : str
+        The method.
+    simple : bool
+        Whether no frame meets itself.
+    verdict : str
+        The same in words, saying when frames do.
+    figures : tuple of str
+        What else was measured, a line each.
+    frames : tuple of Keyframe
+        The frames to show, at the same times in every row.
+    """
+
+    name: str
+    simple: bool
+    verdict: str
+    figures: tuple[str, ...]
+    frames: tuple[Keyframe, ...]
+
+
+def comparison_sheet(title: str, rows: Sequence[Row]) -> Drawing:
+    """Give the rows under one another, all in one scale."""
+    grid = Grid.of([frame for row in rows for frame in row.frames])
+    text = (2 + max(len(row.figures) for row in rows)) * _LINE
+    pitch = max(grid.height, text) + style.GAP
+    columns = len(rows[0].frames)
+    left = style.MARGIN + _HEADING
+    width = left + columns * (grid.width + style.GAP) - style.GAP + style.MARGIN
+    height = style.MARGIN + _TITLE + len(rows) * pitch + style.MARGIN
+
+    def middle(column: int) -> float:
+        return left + column * (grid.width + style.GAP) + grid.width / 2
+
+    def items() -> Iterator[Item]:
+        yield _paper(width, height)
+        yield Label(
+            title,
+            (style.MARGIN, height - style.MARGIN - style.TITLE_SIZE),
+            style.TITLE_SIZE,
+            style.INK,
+            bold=True,
+        )
+        for column, frame in enumerate(rows[0].frames):
+            place = (middle(column), height - style.MARGIN - style.TITLE_SIZE)
+            yield Label(f"t = {frame.t:.3g}", place, style.TEXT_SIZE, style.FAINT, "middle")
+        for number, row in enumerate(rows):
+            top = height - style.MARGIN - _TITLE - number * pitch
+            yield Line(np.array([[style.MARGIN, top], [width - style.MARGIN, top]]), style.HAIRLINE)
+            y = top - pitch / 2
+            yield from _heading(row, y + text / 2)
+            for column, frame in enumerate(row.frames):
+                yield grid.cell(f"{row.name}-{column}", frame, (middle(column), y))
+
+    return Drawing(title, width, height, tuple(items()))
+
+
+def _paper(width: float, height: float) -> Area:
+    return Area(np.array([[0, 0], [width, 0], [width, height], [0, height]], dtype=np.float64), style.PAPER)
+
+
+def _heading(row: Row, top: float) -> Iterator[Item]:
+    base = top - style.NAME_SIZE
+    yield Label(row.name, (style.MARGIN, base), style.NAME_SIZE, style.INK, bold=True)
+    sign = tick_sign if row.simple else cross_sign
+    base -= _LINE * 1.15
+    yield from sign((style.MARGIN + _SIGN, base + 0.36 * style.TEXT_SIZE), _SIGN)
+    colour = style.SIMPLE if row.simple else style.CROSSING
+    yield Label(row.verdict, (style.MARGIN + 3 * _SIGN, base), style.TEXT_SIZE, colour)
+    for figure in row.figures:
+        base -= _LINE
+        yield Label(figure, (style.MARGIN, base), style.TEXT_SIZE, style.FAINT)

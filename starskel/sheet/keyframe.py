@@ -1,0 +1,59 @@
+"""A keyframe: what one cell of a sheet shows, in the user's units."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from starskel.polygon import crossing_edges
+from starskel.predicates import Floats
+
+
+@dataclass(frozen=True, eq=False)
+class Keyframe:
+    """The in-between polygon at one time, and what is to be seen on it.
+
+    Attributes
+    ----------
+    t : float
+        The time, in [0, 1].
+    ring : (n, 2) array
+        The polygon.
+    marks : tuple of int
+        The rows of the ring that bear the user's marks, in their order.
+    pieces : tuple of (k, 2) arrays
+        The rings of the star pieces; none where they are not shown.
+    skeleton : tuple of (k, 2) arrays
+        The skeleton's arcs as open lines; none where it is not shown.
+    """
+
+    t: float
+    ring: Floats
+    marks: tuple[int, ...] = ()
+    pieces: tuple[Floats, ...] = ()
+    skeleton: tuple[Floats, ...] = ()
+
+    @cached_property
+    def crossings(self) -> Floats:
+        """The places where the ring meets itself, as a (k, 2) array; no rows where it is simple."""
+        pairs = self._crossing_edges
+        edges = shapely.linestrings(np.stack([self.ring, np.roll(self.ring, -1, axis=0)], axis=1))
+        meetings = shapely.centroid(shapely.intersection(edges[pairs[:, 0]], edges[pairs[:, 1]]))
+        places: Floats = shapely.get_coordinates(meetings)
+        return places
+
+    @property
+    def simple(self) -> bool:
+        """Whether the ring nowhere meets itself."""
+        return not len(self._crossing_edges)
+
+    @cached_property
+    def _crossing_edges(self) -> NDArray[np.intp]:
+        return crossing_edges(self.ring)
+
+    @property
+    def box(self) -> Floats:
+        """The lower left and the upper right corner of the ring's box, as rows."""
+        return np.array([self.ring.min(axis=0), self.ring.max(axis=0)])
