@@ -57,7 +57,7 @@ def grey(path):
 
 
 def assert_filled(picture, ring):
-    """Show that this ring alone, in points from the lower left corner, is filled, up to a pixel at its edge."""
+    """Show that only this ring, in points from the lower left, is filled, up to a pixel at its edge."""
     polygon = shapely.Polygon(np.asarray(ring) * DOTS)
     height, width = picture.shape
     x, y = np.meshgrid(np.arange(width) + 0.5, height - np.arange(height) - 0.5)
