@@ -1,1 +1,6 @@
 """Compatible star decompositions: the same pieces in both polygons, each star-shaped in both."""
+
+from starskel.decomposition.decompose import decompose
+from starskel.decomposition.pieces import Decomposition
+
+__all__ = ["Decomposition", "decompose"]
