@@ -18,12 +18,18 @@ from starskel.errors import (
 )
 
 if TYPE_CHECKING:
+    from starskel.blending.blend import blend
+    from starskel.blending.frames import Blend
     from starskel.correspondence import Correspondence, match
+    from starskel.decomposition import decompose
     from starskel.decomposition.pieces import Decomposition
     from starskel.polygon import Polygon
+    from starskel.quality import Report, measure
+    from starskel.skeleton import Skeleton
 
 __all__ = [
     "METHODS",
+    "Blend",
     "Cancelled",
     "Correspondence",
     "Decomposition",
@@ -32,16 +38,27 @@ __all__ = [
     "InvalidPolygon",
     "NoDecomposition",
     "Polygon",
+    "Report",
+    "Skeleton",
     "StarskelError",
     "UnknownMethod",
+    "blend",
+    "decompose",
     "match",
+    "measure",
 ]
 
 _HOMES = {
+    "Blend": "starskel.blending.frames",
     "Correspondence": "starskel.correspondence",
     "Decomposition": "starskel.decomposition.pieces",
     "Polygon": "starskel.polygon",
+    "Report": "starskel.quality",
+    "Skeleton": "starskel.skeleton",
+    "blend": "starskel.blending.blend",
+    "decompose": "starskel.decomposition",
     "match": "starskel.correspondence",
+    "measure": "starskel.quality",
 }
 
 

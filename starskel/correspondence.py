@@ -49,8 +49,8 @@ def match(source: PolygonLike, target: PolygonLike, marks: Iterable[tuple[int, i
 
     The marks cut both outlines into chains, whose vertices are aligned by share of the length and by turning
     angle. A vertex left alone gets a new partner on an edge of the other polygon, by edge lengths between its
-    matched neighbours (paper, section 5). The shapes do not change, and exchanging them gives the same pairs of
-    vertices. Without marks the outlines are aligned from the start that suits them best.
+    matched neighbours (paper, section 5). The shapes do not change, and exchanging them gives the same pairs
+    of vertices. Without marks the outlines are aligned from the start that suits them best.
 
     Parameters
     ----------

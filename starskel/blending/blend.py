@@ -1,0 +1,122 @@
+"""Choose a method by its name, and prepare it."""
+
+from collections.abc import Callable, Iterable
+from typing import overload
+
+from starskel.blending import METHODS
+from starskel.blending.edge_angle import EdgeAngleBlend
+from starskel.blending.frames import Blend
+from starskel.blending.star_skeleton import StarSkeletonBlend
+from starskel.blending.vertex import VertexBlend
+from starskel.correspondence import Correspondence, PolygonLike, match
+from starskel.decomposition import decompose
+from starskel.decomposition.pieces import Decomposition
+from starskel.errors import StarskelError, UnknownMethod
+from starskel.task import Progress, ShouldStop, Task
+
+_DECOMPOSING = 0.5
+"""The share of the work that the decomposition is taken to be."""
+
+
+@overload
+def blend(
+    source: Correspondence,
+    target: str = ...,
+    /,
+    *,
+    method: str = ...,
+    decomposition: Decomposition | None = ...,
+    root: int | None = ...,
+    progress: Progress | None = ...,
+    should_stop: ShouldStop | None = ...,
+) -> Blend: ...
+
+
+@overload
+def blend(
+    source: PolygonLike,
+    target: PolygonLike,
+    marks: Iterable[tuple[int, int]] = ...,
+    method: str = ...,
+    *,
+    decomposition: Decomposition | None = ...,
+    root: int | None = ...,
+    progress: Progress | None = ...,
+    should_stop: ShouldStop | None = ...,
+) -> Blend: ...
+
+
+def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
+    source: Correspondence | PolygonLike,
+    target: PolygonLike | str | None = None,
+    marks: Iterable[tuple[int, int]] = (),
+    method: str = "star-skeleton",
+    *,
+    decomposition: Decomposition | None = None,
+    root: int | None = None,
+    progress: Progress | None = None,
+    should_stop: ShouldStop | None = None,
+) -> Blend:
+    """Prepare a blend: of a pair, ``blend(pair, method=...)``, or of two polygons and marks.
+
+    Parameters
+    ----------
+    source : Correspondence, or Polygon, shapely Polygon or (n, 2) array-like
+        A pair, or the source polygon; then the target follows.
+    target : Polygon, shapely Polygon or (n, 2) array-like
+    marks : iterable of (int, int)
+        Vertices that correspond, as for `match`.
+    method : str
+        One of `METHODS`.
+    decomposition : Decomposition, optional
+        That of the pair, where it is known already; else it is computed if the method needs it.
+    root : int, optional
+        The piece that is the skeleton's root; else the one with the most neighbours.
+    progress : callable, optional
+        Called with the fraction done.
+    should_stop : callable, optional
+        Asked often whether to stop.
+
+    Raises
+    ------
+    UnknownMethod
+        If there is no such method.
+    InvalidPolygon, InvalidMarks
+        As by `match`.
+    Cancelled
+        If ``should_stop`` answered True.
+    """
+    chosen = target if isinstance(target, str) else method
+    if chosen not in METHODS:
+        raise UnknownMethod(f'there is no method "{chosen}"', "choose one of " + ", ".join(METHODS))
+    pair = _pair(source, None if isinstance(target, str) else target, marks)
+    task = Task(progress, should_stop)
+    task.reach(0)
+    whole: dict[str, Callable[[], Blend]] = {
+        "vertex": lambda: VertexBlend(pair),
+        "edge-angle": lambda: EdgeAngleBlend(pair),
+        "star-skeleton": lambda: StarSkeletonBlend(_decomposition(pair, decomposition, task), root),
+    }
+    prepared = whole[chosen]()
+    task.reach(1)
+    return prepared
+
+
+def _pair(
+    source: Correspondence | PolygonLike, target: PolygonLike | None, marks: Iterable[tuple[int, int]]
+) -> Correspondence:
+    if not isinstance(source, Correspondence):
+        if target is None:
+            raise StarskelError("the target is missing", "give two polygons, or a pair made by match")
+        return match(source, target, marks)
+    if target is not None or tuple(marks):
+        raise StarskelError("a pair has its target and its marks already", "give the pair alone")
+    return source
+
+
+def _decomposition(pair: Correspondence, known: Decomposition | None, task: Task) -> Decomposition:
+    if known is None:
+        return decompose(pair, progress=task.part(0, _DECOMPOSING).reach, should_stop=task.should_stop)
+    if known.pair is not pair:
+        raise StarskelError("the decomposition belongs to another pair", "decompose the pair to be blended")
+    return known

@@ -1,0 +1,117 @@
+"""What every method offers: the in-between polygons of a pair, the frames."""
+
+from abc import ABC, abstractmethod
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from starskel.correspondence import Correspondence
+from starskel.decomposition.pieces import Decomposition
+from starskel.errors import StarskelError
+from starskel.outline import edge_lengths
+from starskel.predicates import Floats
+from starskel.skeleton import Skeleton
+
+_BATCH = 1 << 17
+"""So many points are computed together: what they need stays in the processor's cache."""
+
+
+class Blend(ABC):
+    """A blend of two polygons: a polygon of as many vertices for every t in [0, 1].
+
+    Attributes
+    ----------
+    pair : Correspondence
+        The source, which is the frame at t = 0, and the target, at t = 1.
+    decomposition : Decomposition or None
+        The star pieces, where the method has them.
+    skeleton : Skeleton or None
+        The skeleton, where the method has one.
+    """
+
+    decomposition: Decomposition | None = None
+    skeleton: Skeleton | None = None
+
+    def __init__(self, pair: Correspondence) -> None:
+        self.pair = pair
+
+    def at(self, t: float) -> Floats:
+        """Give the frame at t, an (n, 2) array.
+
+        Raises
+        ------
+        StarskelError
+            Where t is not a number from 0 to 1.
+        """
+        frame: Floats = self.frames([t])[0]
+        return frame
+
+    def frames(self, ts: ArrayLike) -> Floats:
+        """Give the frames at each of k times, a (k, n, 2) array.
+
+        Raises
+        ------
+        StarskelError
+            Where a time is not a number from 0 to 1.
+        """
+        times = checked_times(ts)
+        step = max(1, _BATCH // len(self.pair))
+        parts = [self._frames(times[k : k + step]) for k in range(0, len(times), step)]
+        return np.concatenate(parts) if parts else np.empty((0, len(self.pair), 2))
+
+    def negative_lengths(self, ts: ArrayLike) -> NDArray[np.bool_]:
+        """Tell at which of the times the method had to give some edge a negative length."""
+        return np.zeros(len(checked_times(ts)), dtype=np.bool_)
+
+    @abstractmethod
+    def _frames(self, ts: Floats) -> Floats:
+        """Give the frames at checked times."""
+
+
+def checked_times(ts: ArrayLike) -> Floats:
+    """Give the times as an array.
+
+    Raises
+    ------
+    StarskelError
+        Where one is not a number from 0 to 1.
+    """
+    try:
+        times = np.asarray(ts, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise StarskelError("the times are not numbers", "give numbers from 0 to 1") from None
+    if times.ndim != 1:
+        raise StarskelError(f"times of shape {times.shape}", "give a list of numbers from 0 to 1")
+    outside = times[~((times >= 0) & (times <= 1))]
+    if len(outside):
+        raise StarskelError(f"t = {outside[0]:g} is outside [0, 1]", "give numbers from 0 to 1")
+    return times
+
+
+def placed(frames: Floats, ts: Floats, pair: Correspondence) -> Floats:
+    """Move each frame so that the outline's centre of mass goes straight from the source to the target.
+
+    The masses are those of the edges, at the mean of their lengths: they do not depend on how densely an
+    outline is sampled, and not on t.
+    """
+    lengths = edge_lengths(pair.source), edge_lengths(pair.target)
+    masses = lengths[0] / lengths[0].sum() + lengths[1] / lengths[1].sum()
+    weights = (masses + np.roll(masses, 1)) / 4
+    start, end = weights @ pair.source, weights @ pair.target
+    centres = (1 - ts)[:, None] * start + ts[:, None] * end
+    moves = centres - np.einsum("n,knc->kc", weights, frames)
+    return np.asarray(frames + moves[:, None, :])
+
+
+def with_exact_ends(frames: Floats, ts: Floats, errors: Floats) -> Floats:
+    """Take away what rounding left between the frames and the pair at the ends, in proportion to the time.
+
+    Parameters
+    ----------
+    frames : (k, n, 2) array
+    ts : (k,) array
+    errors : (2, n, 2) array
+        The frames at 0 and 1, less the source and the target.
+    """
+    t = ts[:, None, None]
+    return np.asarray(frames - (1 - t) * errors[0] - t * errors[1])

@@ -1,0 +1,14 @@
+"""Vertex interpolation: every vertex on a straight line."""
+
+import numpy as np
+
+from starskel.blending.frames import Blend
+from starskel.predicates import Floats
+
+
+class VertexBlend(Blend):
+    """Every vertex moves from the source to the target on a straight line, at constant speed."""
+
+    def _frames(self, ts: Floats) -> Floats:
+        t = ts[:, None, None]
+        return np.asarray((1 - t) * self.pair.source + t * self.pair.target)

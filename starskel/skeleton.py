@@ -1,0 +1,121 @@
+"""The skeleton: a tree that links the star origins through the mid-points of shared edges."""
+
+from collections import deque
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from starskel.decomposition.pieces import Decomposition
+from starskel.errors import StarskelError
+from starskel.predicates import Floats
+
+Edge = tuple[int, int]
+
+
+@dataclass(frozen=True, eq=False)
+class Skeleton:
+    """A tree over the pieces of a decomposition (paper, sections 2.2 and 2.4.3).
+
+    Its points are the k star origins, in the order of the pieces, and behind them the k - 1 mid-points.
+
+    Attributes
+    ----------
+    decomposition : Decomposition
+        The pieces.
+    root : int
+        The piece that the tree hangs on.
+    order : tuple of int
+        All pieces, each behind its parent: the root first.
+    parents : tuple of int
+        For each piece the piece nearer to the root, -1 for the root.
+    gates : tuple of (int, int)
+        For each piece the rows of the edge shared with its parent, as the piece has them counter-clockwise;
+        (-1, -1) for the root.
+    """
+
+    decomposition: Decomposition
+    root: int
+    order: tuple[int, ...]
+    parents: tuple[int, ...]
+    gates: tuple[Edge, ...]
+
+    @property
+    def mid_points(self) -> dict[int, int]:
+        """For each piece but the root, the index of the mid-point between it and its parent."""
+        return {piece: len(self.order) + k for k, piece in enumerate(self.order[1:])}
+
+    @property
+    def arcs(self) -> NDArray[np.intp]:
+        """The (2 k - 2, 2) indices of the points that are linked, outwards from the root."""
+        pairs = [
+            arc
+            for piece, mid_point in self.mid_points.items()
+            for arc in ((self.parents[piece], mid_point), (mid_point, piece))
+        ]
+        return np.array(pairs, dtype=np.intp).reshape(-1, 2)
+
+    def points(self, rows: Floats, origins: Floats) -> Floats:
+        """Give the (2 k - 1, 2) points of the skeleton, from those of the decomposition."""
+        gates = np.array([self.gates[piece] for piece in self.order[1:]], dtype=np.intp).reshape(-1, 2)
+        return np.concatenate([origins, rows[gates].mean(axis=1)])
+
+
+def skeleton_of(decomposition: Decomposition, root: int | None = None) -> Skeleton:
+    """Span a tree over the pieces.
+
+    Pieces are reached breadth-first, each through the longest edge that it shares with its parent.
+
+    Parameters
+    ----------
+    decomposition : Decomposition
+    root : int, optional
+        The piece to start from; else the one with the most neighbours, the first of those.
+
+    Raises
+    ------
+    StarskelError
+        If there is no such piece.
+    """
+    if root is not None and not 0 <= root < len(decomposition.pieces):
+        raise StarskelError(
+            f"there is no piece {root} to be the root", f"give one from 0 to {len(decomposition.pieces) - 1}"
+        )
+    neighbours = _neighbours(decomposition)
+    if root is None:
+        root = max(range(len(neighbours)), key=lambda piece: len(neighbours[piece]))
+    parents, gates = [-1] * len(neighbours), [(-1, -1)] * len(neighbours)
+    order, waiting = [root], deque([root])
+    while waiting:
+        piece = waiting.popleft()
+        for neighbour, (a, b) in neighbours[piece].items():
+            if neighbour != root and parents[neighbour] < 0:
+                parents[neighbour], gates[neighbour] = piece, (b, a)
+                order.append(neighbour)
+                waiting.append(neighbour)
+    return Skeleton(decomposition, root, tuple(order), tuple(parents), tuple(gates))
+
+
+def _neighbours(decomposition: Decomposition) -> list[dict[int, Edge]]:
+    """Give for each piece its neighbours, counter-clockwise, and the longest edge shared with each."""
+    edges = [list(zip(piece, (*piece[1:], piece[0]), strict=True)) for piece in decomposition.pieces]
+    owner = {edge: piece for piece, own in enumerate(edges) for edge in own}
+    lengths = _lengths(decomposition, list(owner))
+    found: list[dict[int, Edge]] = []
+    for own in edges:
+        shared: dict[int, Edge] = {}
+        for a, b in own:
+            other = owner.get((b, a))
+            if other is not None and (other not in shared or lengths[a, b] > lengths[shared[other]]):
+                shared[other] = (a, b)
+        found.append(shared)
+    return found
+
+
+def _lengths(decomposition: Decomposition, edges: list[Edge]) -> dict[Edge, float]:
+    """Give the edges' lengths as parts of the boxes, source and target together."""
+    total = np.zeros(len(edges))
+    for points in (decomposition.source, decomposition.target):
+        ends = points[np.array(edges)]
+        total += np.hypot(*(ends[:, 1] - ends[:, 0]).T) / np.ptp(points, axis=0).max()
+    return dict(zip(edges, total.tolist(), strict=True))
