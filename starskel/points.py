@@ -1,9 +1,10 @@
 """Points that are known exactly, though some were rounded: vertices that lie on a straight run of a ring.
 
-A vertex inserted on an edge is rounded to floats and so misses the edge by a hair. Taken literally it would bend the
-edge, now inwards, now outwards, and hide the run's other vertices from each other. Here such a vertex stands exactly
-on the chord of its run, as a share of the way between the corners at its ends; corners stand where their
-coordinates say. All decisions are exact in this model, which differs from the coordinates by less than `ROUNDING`.
+A vertex inserted on an edge is rounded to floats and so misses the edge by a hair. Taken literally it would
+bend the edge, now inwards, now outwards, and hide the run's other vertices from each other. Here such a
+vertex stands exactly on the chord of its run, as a share of the way between the corners at its ends; corners
+stand where their coordinates say. All decisions are exact in this model, which differs from the coordinates
+by less than `ROUNDING`.
 """
 
 from dataclasses import dataclass
@@ -42,7 +43,8 @@ class Points:
     @property
     def straight(self) -> NDArray[np.bool_]:
         """For each point whether it is a straight vertex."""
-        return self.start != self.end
+        straight: NDArray[np.bool_] = self.start != self.end
+        return straight
 
     def with_free(self, coordinates: Floats) -> "Points":
         """Give these points followed by free ones at (k, 2) coordinates."""
@@ -82,11 +84,12 @@ class Points:
     def _by_corners(self, i: Indices, j: Indices, k: Indices) -> Signs:
         """Decide from the turns of the corners: a determinant is a positive mean of theirs."""
         ends = [
-            (np.where(self.rounded[p], self.start[p], p), np.where(self.rounded[p], self.end[p], p)) for p in (i, j, k)
+            (np.where(self.rounded[p], self.start[p], p), np.where(self.rounded[p], self.end[p], p))
+            for p in (i, j, k)
         ]
         turns = np.stack([self._turn_of_corners(*corners) for corners in product(*ends)])
         low, high = turns.min(axis=0), turns.max(axis=0)
-        signs = np.where(low >= 0, high, low)
+        signs: Signs = np.where(low >= 0, high, low)
         for p in np.flatnonzero((low < 0) & (high > 0)):
             signs[p] = self._by_fractions(int(i[p]), int(j[p]), int(k[p]))
         return signs
@@ -106,7 +109,10 @@ class Points:
         share = Fraction(float(self.share[i]) if self.rounded[i] else 0)
         ends = (self.start[i], self.end[i]) if self.rounded[i] else (i, i)
         start, end = self.coordinates[list(ends)]
-        x, y = ((1 - share) * Fraction(float(a)) + share * Fraction(float(b)) for a, b in zip(start, end, strict=True))
+        x, y = (
+            (1 - share) * Fraction(float(a)) + share * Fraction(float(b))
+            for a, b in zip(start, end, strict=True)
+        )
         return x, y
 
 

@@ -13,7 +13,7 @@ from starskel.predicates import LARGEST, Floats, folds_back, segments_meet
 class Polygon:
     """A simple polygon: at least three vertices, no two of them equal, no edges that touch but neighbours.
 
-    A ring given clockwise is turned round with vertex 0 kept first; a last point equal to the first is dropped.
+    A ring given clockwise is turned round, vertex 0 kept first; a last point equal to the first is dropped.
 
     Parameters
     ----------
@@ -116,7 +116,9 @@ def _check_numbers(rows: Floats) -> None:
         )
     rows[np.abs(rows) < 1 / LARGEST] = 0.0
     if not np.ptp(rows, axis=0).any():
-        raise InvalidPolygon("all points are the same", "give at least 3 different vertices", place=_place(rows[0]))
+        raise InvalidPolygon(
+            "all points are the same", "give at least 3 different vertices", place=_place(rows[0])
+        )
 
 
 def _check_repeats(rows: Floats) -> None:

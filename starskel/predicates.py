@@ -1,9 +1,9 @@
-"""Exact decisions about points: on which side of a line does a point lie?
+"""Exact decisions about points: on which side of a line a point lies.
 
 A determinant in floating point is believed where it exceeds its own error bound (Shewchuk 1997, "Adaptive
-Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates"). What that filter leaves open is summed
-without any rounding: every product is split into its rounded value and its error, and the twelve parts are
-distilled until they do not overlap, so that the largest of them carries the sign.
+Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates"). What that filter leaves open is
+summed without any rounding: every product is split into its rounded value and its error, and the twelve parts
+are distilled until they do not overlap, so that the largest of them carries the sign.
 
 This module holds the only tolerance of the library, `ROUNDING`.
 """
@@ -18,7 +18,7 @@ UNIT = 2.0**-53
 """The largest relative error of one rounded operation."""
 
 ROUNDING = 8 * UNIT
-"""Coordinates count as known to this part of the largest of them: inserted vertices are rounded, files have digits."""
+"""Coordinates count as known to this part of the largest of them: inserted vertices are rounded."""
 
 LARGEST = 1e150
 """Products of larger coordinates overflow, those of coordinates all below 1/LARGEST underflow."""
@@ -87,17 +87,20 @@ def _sign_of_sum(parts: Floats) -> Signs:
         if np.array_equal(before, parts):
             break
     largest = np.take_along_axis(parts, np.abs(parts).argmax(axis=0)[None], axis=0)[0]
-    return np.sign(largest).astype(np.int8)
+    signs: Signs = np.sign(largest).astype(np.int8)
+    return signs
 
 
 def segments_meet(a: Floats, b: Floats, c: Floats, d: Floats) -> NDArray[np.bool_]:
     """Tell whether the closed segments ab and cd, whose boxes overlap, have a common point, exactly."""
     parted_by_ab = orientation(a, b, c) * orientation(a, b, d) > 0
     parted_by_cd = orientation(c, d, a) * orientation(c, d, b) > 0
-    return ~(parted_by_ab | parted_by_cd)
+    meet: NDArray[np.bool_] = ~(parted_by_ab | parted_by_cd)
+    return meet
 
 
 def folds_back(a: Floats, b: Floats, c: Floats) -> NDArray[np.bool_]:
     """Tell whether the way from a over b to c turns back on itself at b, exactly."""
     same_side = (np.sign(a - b) * np.sign(c - b) > 0).any(axis=-1)
-    return same_side & (orientation(a, b, c) == 0)
+    folded: NDArray[np.bool_] = same_side & (orientation(a, b, c) == 0)
+    return folded

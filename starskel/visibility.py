@@ -1,12 +1,13 @@
 """Who sees whom: all pairs at once, by expansion through the triangles of a triangulation.
 
-A window is an edge of a triangle through which a viewer looks, together with the two vertices that limit the view
-to the right and to the left. Every window looks into the triangle behind it, may see its apex, and goes on through
-one or both of its far edges. All windows of all viewers advance together, so that the work, which grows with the
-number of visible pairs, is done in few array operations.
+A window is an edge of a triangle through which a viewer looks, together with the two vertices that limit the
+view to the right and to the left. Every window looks into the triangle behind it, may see its apex, and goes
+on through one or both of its far edges. All windows of all viewers advance together, so that the work, which
+grows with the number of visible pairs, is done in few array operations.
 
-Two relations are kept apart: `sees`, where the closed segment lies in the closed polygon, and `diagonal`, where
-the open segment lies in the open interior. They differ where views graze vertices or run along straight edges.
+Two relations are kept apart: `sees`, where the closed segment lies in the closed polygon, and `diagonal`,
+where the open segment lies in the open interior. They differ where views graze vertices or run along straight
+edges.
 """
 
 from dataclasses import dataclass
@@ -51,7 +52,7 @@ class _Windows:
 
 
 def visibility(ground: Triangulation) -> Visibility:
-    """Tell for all pairs of a ring's vertices whether they see each other, in O(n + visible pairs) array entries."""
+    """Tell for all pairs of a ring's vertices whether they see each other, in O(visible pairs) entries."""
     n = len(ground.points.coordinates)
     viewers = ground.triangles.ravel()
     edges = np.arange(len(viewers))
@@ -69,7 +70,7 @@ def visibility(ground: Triangulation) -> Visibility:
 
 
 def visibility_from(ground: Triangulation, places: Floats) -> Visibility:
-    """Tell which vertices of a ring are seen from (k, 2) places, none of them a vertex; from outside none is."""
+    """Tell which vertices of a ring are seen from (k, 2) places that are no vertices; from outside none."""
     n, k = len(ground.points.coordinates), len(places)
     points = ground.points.with_free(places)
     seen = Visibility(np.zeros((k, n), dtype=bool), np.zeros((k, n), dtype=bool))
@@ -99,7 +100,9 @@ def _open(ground: Triangulation, viewers: Indices, edges: Indices) -> _Windows:
     return _Windows(viewers, edges, starts, ends)
 
 
-def _expand(points: Points, ground: Triangulation, windows: _Windows, seen: Visibility, rows: Indices) -> None:
+def _expand(
+    points: Points, ground: Triangulation, windows: _Windows, seen: Visibility, rows: Indices
+) -> None:
     """Advance windows until all have met the ring; `rows` gives each viewer's row in what is seen."""
     corners = ground.triangles.ravel()
     while len(windows.viewer):

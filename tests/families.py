@@ -70,14 +70,19 @@ def spiral(n: int, turns: float = 2.0, handed: int = 1) -> Floats:
     angles = np.linspace(0.5, 2 * np.pi * turns, n // 2)
     arm = np.stack([np.cos(angles), handed * np.sin(angles)], axis=1) * angles[:, None]
     inner = arm * (1 - 2.0 / np.maximum(angles, 4))[:, None]
-    return Polygon(np.concatenate([arm, inner[::-1]])).vertices
+    ring = np.concatenate([arm, inner[::-1]])
+    if len(crossing_edges(ring)):  # too few vertices for so many turns
+        return spiral(n, 0.8 * turns, handed)
+    return Polygon(ring).vertices
 
 
 def blob(n: int, seed: int = 0, arms: int = 5, depth: float = 0.5) -> Floats:
     """A smooth ring of n vertices with arms."""
     rng = np.random.default_rng([seed, arms])
     angles = np.linspace(0, 2 * np.pi, n, endpoint=False)
-    radius = 1 + depth * np.cos(arms * angles + rng.random()) + 0.15 * np.cos((arms + 2) * angles + rng.random())
+    radius = (
+        1 + depth * np.cos(arms * angles + rng.random()) + 0.15 * np.cos((arms + 2) * angles + rng.random())
+    )
     bend = 0.4 * np.sin(2 * angles + rng.random())
     return 10 * radius[:, None] * np.stack([np.cos(angles + bend), np.sin(angles + bend)], axis=1)
 

@@ -25,8 +25,8 @@ def decompose(
 ) -> Decomposition:
     """Cut both polygons of a pair into compatible star pieces (paper, section 2.4.1).
 
-    Where no Steiner vertices are needed the pieces are as few as can be, and among the decompositions with so few
-    pieces the one with the shortest cuts is chosen. Elsewhere Steiner vertices are placed, as few as are found.
+    Where no Steiner vertices are needed the pieces are as few as can be, and of the decompositions with so
+    few pieces it is the one with the shortest cuts. Elsewhere Steiner vertices are placed, few of them.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def _with_origins(pair: Correspondence, tiling: Tiling) -> Decomposition:
 
 
 def _origins(source: Floats, target: Floats) -> tuple[Floats, Floats]:
-    """Give the mean of the common star vertices (paper, section 2.4.2), or the centroids of the two kernels."""
+    """Give the mean of the common star vertices (paper, section 2.4.2), or the centroids of both kernels."""
     common = star_vertices(source) & star_vertices(target)
     if common.any():
         return source[common].mean(axis=0), target[common].mean(axis=0)

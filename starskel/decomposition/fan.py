@@ -17,7 +17,9 @@ EASY = 2
 MOST_PLACES = 300
 """Candidates kept in each polygon, those that see most; all pairs of them are compared."""
 
-_WEIGHTS = np.array([(1, 1, 1), (4, 1, 1), (1, 4, 1), (1, 1, 4), (2, 2, 1), (2, 1, 2), (1, 2, 2)], dtype=float)
+_WEIGHTS = np.array(
+    [(1, 1, 1), (4, 1, 1), (1, 4, 1), (1, 1, 4), (2, 2, 1), (2, 1, 2), (1, 2, 2)], dtype=float
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,12 +80,12 @@ def _shrinks(hidden: Relation) -> Relation:
     n = hidden.shape[1]
     twice = np.concatenate([hidden, hidden], axis=1)
     window = np.lib.stride_tricks.sliding_window_view(twice, max(n - 3, 1), axis=1)
-    shrinks: Relation = ~window.all(axis=2).any(axis=1)
+    shrinks: Relation = ~np.any(np.all(window, axis=2), axis=1)
     return shrinks
 
 
 def _pieces(spokes: np.ndarray, n: int) -> tuple[Piece, ...]:
-    """Cut along the spokes into pockets; the triangles between them make star pieces round the Steiner vertex."""
+    """Cut along the spokes into pockets, and star pieces of the triangles between them."""
     if len(spokes) == n:  # the Steiner vertex stays, as a common star vertex of two halves
         return (n, *range(n // 2 + 1)), (n, *range(n // 2, n), 0)
     gaps = np.flatnonzero(np.diff(spokes, append=spokes[0] + n) > 1)

@@ -12,14 +12,13 @@ def star_vertices(ring: Floats) -> np.ndarray:
     points = points_of(ring)
     start, end = _edges(points)
     viewers = np.arange(len(ring))[:, None]
-    stars: np.ndarray = (points.orientation(start[None], end[None], viewers) >= 0).all(axis=1)
-    return stars
+    return np.asarray(np.all(points.orientation(start[None], end[None], viewers) >= 0, axis=1))
 
 
 def star_point(ring: Floats) -> Floats | None:
     """Give a point strictly inside the kernel: the kernel's centroid; None where the kernel has no inside.
 
-    The answer is proven by exact predicates; a kernel too thin for floats to name a point in it counts as none.
+    The answer is proven by exact predicates; a kernel too thin for floats to name a point in it is none.
     """
     points = points_of(ring)
     start, end = (ring[rows] for rows in _edges(points))

@@ -1,8 +1,9 @@
 """Tiling a pair that has no decomposition without Steiner vertices: climb only as far as needed.
 
-A cell is done where both its rings are star-shaped. Else common diagonals cut it, leaving stuck cells as small as
-can be; in a stuck cell one Steiner vertex is placed and the pockets that it leaves are cells again. Where no place
-makes the pockets smaller, or the overlay needs no more Steiner vertices, the overlay ends the climb.
+A cell is done where both its rings are star-shaped. Else common diagonals cut it, leaving stuck cells as
+small as can be; in a stuck cell one Steiner vertex is placed and the pockets that it leaves are cells again.
+Where no place makes the pockets smaller, or the overlay needs no more Steiner vertices, the overlay ends the
+climb.
 """
 
 import numpy as np
@@ -22,7 +23,7 @@ TRIED = 4
 
 
 def climb(source: Floats, target: Floats, task: Task, tried: int = TRIED) -> Tiling:
-    """Tile two simple rings of equal count by pieces that are star-shaped in both, with few Steiner vertices."""
+    """Tile two simple rings of equal count by pieces star-shaped in both, with few Steiner vertices."""
     whole = Tiling(source, target, (tuple(range(len(source))),))
     if is_star_piece(source, target):
         return whole

@@ -9,7 +9,7 @@ from starskel.visibility import visibility
 
 
 def links_of(source: Triangulation, target: Triangulation) -> Links:
-    """Give the links of a pair; a diagonal is priced by its mean length in both, each in the size of its polygon."""
+    """Give the links of a pair; a diagonal costs its mean length, each in the size of its polygon."""
     first, second = visibility(source), visibility(target)
     lengths = _lengths(source.points.coordinates) + _lengths(target.points.coordinates)
     price = lengths / (2 * len(lengths) * lengths.max())

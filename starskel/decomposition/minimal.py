@@ -1,20 +1,20 @@
 """The compatible star decomposition with the fewest pieces that needs no Steiner vertices.
 
-A dynamic program over sub-polygons, after Keil (paper, references 11 and 12), for two polygons at once. A link is an
-edge of the ring or a diagonal of both polygons. For i < j with a link (i, j), f[i, j] is the cost of the
-sub-polygon i..j. The piece on (i, j) has a star vertex k, and its boundary is a chain of links
-i = v0 < v1 < ... < k < ... < j over vertices that k sees in both polygons. The best half chains from i up to k and
-from k down to j are tabulated as well,
+A dynamic program over sub-polygons, after Keil (paper, references 11 and 12), for two polygons at once. A
+link is an edge of the ring or a diagonal of both polygons. For i < j with a link (i, j), f[i, j] is the cost
+of the sub-polygon i..j. The piece on (i, j) has a star vertex k, and its boundary is a chain of links
+i = v0 < v1 < ... < k < ... < j over vertices that k sees in both polygons. The best half chains from i up to
+k and from k down to j are tabulated as well,
 
     left[i, k]  = min over v in (i, k] with link (i, v) of f[i, v] + left[v, k],    left[k, k] = 0
     right[k, j] = min over v in [k, j) with link (v, j) of right[k, v] + f[v, j],   right[k, k] = 0
-    f[i, j] = 1 + min over k of left[i, k] + right[k, j],                           f of an edge of the ring = 0
+    f[i, j] = 1 + min over k of left[i, k] + right[k, j],           f of an edge of the ring = 0
 
-so that each of the O(n^2) entries is a minimum over O(n): O(n^3) in all, where the paper has O(n^4). Entries of equal
-span j - i are found together. The closing edge (0, n - 1) stands for the whole ring.
+so that each of the O(n^2) entries is a minimum over O(n): O(n^3) in all, where the paper has O(n^4). Entries
+of equal span j - i are found together. The closing edge (0, n - 1) stands for the whole ring.
 
-Where that has no answer, the same tables tell how far common diagonals lead: a cell bounded by a chain of any links,
-star or not, is let in at a price that grows with its size,
+Where that has no answer, the same tables tell how far common diagonals lead: a cell bounded by a chain of any
+links, star or not, is let in at a price that grows with its size,
 
     chain[i, j] = size price + min(f[i, j], min over v of f[i, v] + chain[v, j])
 
@@ -83,7 +83,7 @@ def minimal_pieces(links: Links, task: Task) -> list[Piece] | None:
 
 
 def least_stuck_cells(links: Links, task: Task) -> list[Piece]:
-    """Give star pieces and stuck cells that together tile both polygons, the stuck cells as small as they can be."""
+    """Give star pieces and stuck cells that tile both polygons, the stuck cells as small as can be."""
     n = len(links.sees)
     f, left, right, chain = (np.full((n, n), np.inf) for _ in range(4))
     return _pieces(_fill(_Tables(f, left, right, chain), links, task), links)
@@ -103,7 +103,9 @@ def _fill(tables: _Tables, links: Links, task: Task) -> _Tables:
 
 def _fill_span(tables: _Tables, links: Links, span: int) -> None:
     seen = np.flatnonzero(np.diagonal(links.sees, span))
-    linked = np.flatnonzero(np.diagonal(links.diagonal, span)) if span < len(links.sees) - 1 else np.array([0])
+    linked = (
+        np.flatnonzero(np.diagonal(links.diagonal, span)) if span < len(links.sees) - 1 else np.array([0])
+    )
     left = _least(tables.f, tables.left, seen, span)
     right = _least(tables.right, tables.f, seen, span)
     _set(tables.left, seen, span, left)

@@ -1,10 +1,10 @@
 """The last rung: two triangulations laid over each other (Aronov, Seidel, Souvaine 1993).
 
-Both polygons are thought of as one convex polygon, where each triangulation is a set of chords. Crossings of chords
-become Steiner vertices and the cells between chords the pieces. Every piece lies in one triangle of the source and
-in one of the target, so it is convex in both. Which chords cross, and in what order, depends on indices alone.
-A crossing is pulled back to the diagonal of the source's triangulation and to that of the target's; any places
-in the right order do, so they are spread evenly.
+Both polygons are thought of as one convex polygon, where each triangulation is a set of chords. Crossings of
+chords become Steiner vertices and the cells between chords the pieces. Every piece lies in one triangle of
+the source and in one of the target, so it is convex in both. Which chords cross, and in what order, depends
+on indices alone. A crossing is pulled back to the diagonal of the source's triangulation and to that of the
+target's; any places in the right order do, so they are spread evenly.
 """
 
 from itertools import pairwise
@@ -21,14 +21,13 @@ Chord = tuple[int, int]
 
 
 def overlay(source: Triangulation, target: Triangulation) -> Tiling:
-    """Tile two rings of equal count by convex pieces; needs one Steiner vertex for each crossing of diagonals."""
+    """Tile two rings of equal count by convex pieces; each crossing of diagonals is a Steiner vertex."""
     n = len(source.points.coordinates)
     first, second = _chords(source), _chords(target)
     names = _name_crossings(first, second, n)
     tracks = {chord: _crossed(chord, second, n) for chord in first}
-    others = {chord: _crossed(chord, first, n) for chord in second}
-    lines = [[a, *(names[(a, b), o] for o in crossed), b] for (a, b), crossed in tracks.items()]
-    across = [[a, *(names[o, (a, b)] for o in crossed), b] for (a, b), crossed in others.items()]
+    lines = [[a, *(names[(a, b), o] for o in tracks[a, b]), b] for a, b in first]
+    across = [[a, *(names[o, (a, b)] for o in _crossed((a, b), first, n)), b] for a, b in second]
     return Tiling(
         np.concatenate([source.points.coordinates, _spread(source.points.coordinates, lines, len(names))]),
         np.concatenate([target.points.coordinates, _spread(target.points.coordinates, across, len(names))]),
@@ -97,7 +96,7 @@ def _faces(n: int, lines: list[list[int]]) -> tuple[Piece, ...]:
     faces = []
     waiting = dict.fromkeys((a, b) for a, b in onward if not (b < n and a == (b + 1) % n))
     while waiting:
-        a, b = edge = next(iter(waiting))
+        edge = next(iter(waiting))
         face = []
         while edge in waiting:
             del waiting[edge]
@@ -108,8 +107,10 @@ def _faces(n: int, lines: list[list[int]]) -> tuple[Piece, ...]:
 
 
 def _fans(n: int, lines: list[list[int]]) -> dict[int, list[int]]:
-    """Give the neighbours of each vertex counter-clockwise: in the order of the ring vertices that they lead to."""
-    ahead: dict[int, list[tuple[int, int]]] = {v: [(1, (v + 1) % n), (n - 1, (v - 1) % n)] for v in range(n)}
+    """Give each vertex's neighbours counter-clockwise: in the order of the ring vertices they lead to."""
+    ahead: dict[int, list[tuple[int, int]]] = {}
+    for v in range(n):
+        ahead[v] = [(1, (v + 1) % n), (n - 1, (v - 1) % n)]
     for line in lines:
         for way in (line, line[::-1]):
             for vertex, following in pairwise(way):

@@ -1,7 +1,7 @@
-"""Fewer Steiner vertices and fewer pieces: vertices collapse into neighbours, pieces merge, while all stays right.
+"""Fewer Steiner vertices and fewer pieces: vertices collapse into neighbours, pieces merge, all stays right.
 
-Both moves keep the edges cancelling in pairs, so the pieces go on tiling both polygons as long as each of them is
-simple and counter-clockwise in both (see verify.py).
+Both moves keep the edges cancelling in pairs, so the pieces go on tiling both polygons as long as each of
+them is simple and counter-clockwise in both (see verify.py).
 """
 
 from itertools import pairwise
@@ -86,7 +86,9 @@ def _neighbouring(tiling: Tiling, pieces: list[Piece]) -> list[tuple[Piece, Piec
     owner = {edge: piece for piece in pieces for edge in _edges(piece)}
     shared = sorted((a, b) for a, b in owner if a < b and (b, a) in owner)
     ends = np.array(shared, dtype=np.intp).reshape(-1, 2)
-    length = sum(np.hypot(*(ring[ends[:, 0]] - ring[ends[:, 1]]).T) for ring in (tiling.source, tiling.target))
+    length = sum(
+        np.hypot(*(ring[ends[:, 0]] - ring[ends[:, 1]]).T) for ring in (tiling.source, tiling.target)
+    )
     longest_first = np.argsort(-np.asarray(length), kind="stable")
     return [(owner[a, b], owner[b, a]) for a, b in (shared[i] for i in longest_first)]
 

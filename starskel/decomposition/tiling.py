@@ -26,7 +26,7 @@ class Tiling:
     pieces: tuple[Piece, ...]
 
     def cost(self) -> tuple[int, int]:
-        """The price of this tiling: Steiner vertices first, then pieces."""
+        """Give the price of this tiling: vertices, Steiner ones among them, then pieces."""
         return len(self.source), len(self.pieces)
 
     def refine(self, cell: int, inner: "Tiling") -> "Tiling":

@@ -1,8 +1,9 @@
 """Proving a decomposition from outside, without the code that made it.
 
-Every piece is a simple counter-clockwise ring, and the pieces' edges cancel in pairs but for those of the polygon.
-Then the winding numbers of the pieces add up to that of the polygon, 1 inside and 0 outside, and as each of them is
-0 or 1 the pieces tile the polygon without overlap. It remains to see that each origin sees its piece.
+Every piece is a simple counter-clockwise ring, and the pieces' edges cancel in pairs but for those of the
+polygon. Then the winding numbers of the pieces add up to that of the polygon, 1 inside and 0 outside, and as
+each of them is 0 or 1 the pieces tile the polygon without overlap. It remains to see that each origin sees
+its piece.
 """
 
 from collections import Counter
