@@ -67,7 +67,12 @@ def write_document(path: Path, document: object) -> None:
     InvalidFile
         If it cannot be written.
     """
-    write_bytes(path, (_lines(msgspec.to_builtins(document), "") + "\n").encode())
+    write_bytes(path, document_text(document).encode())
+
+
+def document_text(document: object) -> str:
+    """Give a value as JSON; rows of numbers stand on one line each."""
+    return _lines(msgspec.to_builtins(document), "") + "\n"
 
 
 def _lines(value: object, indent: str) -> str:

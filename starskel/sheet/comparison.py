@@ -11,7 +11,6 @@ from starskel.sheet.drawing import Area, Drawing, Item, Label, Line
 from starskel.sheet.keyframe import Keyframe
 from starskel.sheet.rows import Grid
 
-_HEADING = 150.0
 _TITLE = 34.0
 _LINE = 12.0
 _SIGN = 4.0
@@ -48,7 +47,7 @@ def comparison_sheet(title: str, rows: Sequence[Row]) -> Drawing:
     text = (2 + max(len(row.figures) for row in rows)) * _LINE
     pitch = max(grid.height, text) + style.GAP
     columns = len(rows[0].frames)
-    left = style.MARGIN + _HEADING
+    left = style.MARGIN + _heading_width(rows) + style.GAP
     width = left + columns * (grid.width + style.GAP) - style.GAP + style.MARGIN
     height = style.MARGIN + _TITLE + len(rows) * pitch + style.MARGIN
 
@@ -80,6 +79,12 @@ def comparison_sheet(title: str, rows: Sequence[Row]) -> Drawing:
 
 def _paper(width: float, height: float) -> Area:
     return Area(np.array([[0, 0], [width, 0], [width, height], [0, height]], dtype=np.float64), style.PAPER)
+
+
+def _heading_width(rows: Sequence[Row]) -> float:
+    """Give room for the longest line; the letters of the face are half as wide as high, in the mean."""
+    lines = [line for row in rows for line in (row.verdict, *row.figures)]
+    return 3 * _SIGN + 0.5 * style.TEXT_SIZE * max(24, *map(len, lines))
 
 
 def _heading(row: Row, top: float) -> Iterator[Item]:

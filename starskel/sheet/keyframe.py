@@ -1,5 +1,6 @@
 """A keyframe: what one cell of a sheet shows, in the user's units."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -7,6 +8,9 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from starskel.blending.frames import Blend
+from starskel.blending.pieces import PieceBlend
+from starskel.correspondence import Correspondence
 from starskel.polygon import crossing_edges
 from starskel.predicates import Floats
 
@@ -57,3 +61,55 @@ class Keyframe:
     def box(self) -> Floats:
         """The lower left and the upper right corner of the ring's box, as rows."""
         return np.array([self.ring.min(axis=0), self.ring.max(axis=0)])
+
+
+@dataclass(frozen=True)
+class Shown:
+    """What is to be seen on keyframes besides the polygon."""
+
+    marks: bool = False
+    pieces: bool = False
+    skeleton: bool = False
+
+
+def keyframes(blend: Blend, times: Sequence[float], shown: Shown = Shown()) -> tuple[Keyframe, ...]:
+    """Give the keyframes of a blend.
+
+    Parameters
+    ----------
+    blend : Blend
+    times : sequence of float
+        Numbers from 0 to 1.
+    shown : Shown
+        Star pieces and skeleton appear where the method has them.
+
+    Raises
+    ------
+    StarskelError
+        Where a time is not a number from 0 to 1.
+    """
+    rows = marked_rows(blend.pair) if shown.marks else ()
+    return tuple(
+        Keyframe(t, ring, rows, _pieces(blend, t, shown), _skeleton(blend, t, shown))
+        for t, ring in zip(times, blend.frames(times), strict=True)
+    )
+
+
+def marked_rows(pair: Correspondence) -> tuple[int, ...]:
+    """Give the rows that bear the marks, in the marks' order."""
+    rows = {int(vertex): row for row, vertex in enumerate(pair.source_vertices) if vertex >= 0}
+    return tuple(rows[i] for i, _ in pair.marks)
+
+
+def _pieces(blend: Blend, t: float, shown: Shown) -> tuple[Floats, ...]:
+    if not (shown.pieces and isinstance(blend, PieceBlend)):
+        return ()
+    points = blend.points_at(t)
+    return tuple(points[list(piece)] for piece in blend.decomposition.pieces)
+
+
+def _skeleton(blend: Blend, t: float, shown: Shown) -> tuple[Floats, ...]:
+    if not (shown.skeleton and isinstance(blend, PieceBlend)):
+        return ()
+    points = blend.skeleton_at(t)
+    return tuple(points[arc] for arc in blend.skeleton.arcs)

@@ -29,7 +29,7 @@ MARGIN = 18.0
 TITLE_SIZE = 13.0
 NAME_SIZE = 10.5
 TEXT_SIZE = 8.0
-PIN_SIZE = 5.0
+PIN_SIZE = 4.4
 
 
 def fill(t: float) -> Colour:

@@ -1,0 +1,27 @@
+"""starskel compare: a sheet of all methods."""
+
+from argparse import Namespace
+
+from starskel.blending import METHODS
+from starskel.command.blend import shown_of, times_of
+from starskel.command.methods import blends
+from starskel.command.opening import chosen_pair
+from starskel.command.output import WRITERS, ending_of
+from starskel.quality import measure
+from starskel.sheet.comparison import Row, comparison_sheet
+from starskel.sheet.keyframe import keyframes
+from starskel.sheet.words import figures, verdict
+
+
+def run(arguments: Namespace) -> int:
+    """Blend the pair by every method and write the sheet."""
+    ending = ending_of(arguments.output, tuple(WRITERS))
+    pair = chosen_pair(arguments.file, arguments.id)
+    times, shown = times_of(arguments), shown_of(arguments)
+    rows = []
+    for method, blend in blends(pair, arguments.method or METHODS[::-1]):
+        report = measure(blend)
+        frames = keyframes(blend, times, shown)
+        rows.append(Row(method, report.simple, verdict(report), figures(report), frames))
+    WRITERS[ending](arguments.output, comparison_sheet(pair.id, rows))
+    return 0
