@@ -7,6 +7,7 @@ from starskel.blending import METHODS
 from starskel.blending.edge_angle import EdgeAngleBlend
 from starskel.blending.frames import Blend
 from starskel.blending.star_skeleton import StarSkeletonBlend
+from starskel.blending.stitched import StitchedBlend
 from starskel.blending.vertex import VertexBlend
 from starskel.correspondence import Correspondence, PolygonLike, match
 from starskel.decomposition import decompose
@@ -50,7 +51,7 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     source: Correspondence | PolygonLike,
     target: PolygonLike | str | None = None,
     marks: Iterable[tuple[int, int]] = (),
-    method: str = "star-skeleton",
+    method: str = "stitched",
     *,
     decomposition: Decomposition | None = None,
     root: int | None = None,
@@ -96,6 +97,9 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
         "vertex": lambda: VertexBlend(pair),
         "edge-angle": lambda: EdgeAngleBlend(pair),
         "star-skeleton": lambda: StarSkeletonBlend(_decomposition(pair, decomposition, task), root),
+        "stitched": lambda: StitchedBlend(
+            _decomposition(pair, decomposition, task), root, task.part(_DECOMPOSING, 1)
+        ),
     }
     prepared = whole[chosen]()
     task.reach(1)

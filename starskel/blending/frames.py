@@ -91,6 +91,8 @@ def checked_times(ts: ArrayLike) -> Floats:
 def placed(frames: Floats, ts: Floats, pair: Correspondence) -> Floats:
     """Move each frame so that the outline's centre of mass goes straight from the source to the target.
 
+    Points behind those of the pair move along.
+
     The masses are those of the edges, at the mean of their lengths: they do not depend on how densely an
     outline is sampled, and not on t.
     """
@@ -99,7 +101,7 @@ def placed(frames: Floats, ts: Floats, pair: Correspondence) -> Floats:
     weights = (masses + np.roll(masses, 1)) / 4
     start, end = weights @ pair.source, weights @ pair.target
     centres = (1 - ts)[:, None] * start + ts[:, None] * end
-    moves = centres - np.einsum("n,knc->kc", weights, frames)
+    moves = centres - np.einsum("n,knc->kc", weights, frames[:, : len(pair)])
     return np.asarray(frames + moves[:, None, :])
 
 

@@ -1,0 +1,92 @@
+"""The triangles that star pieces fall into: a fan round a hub that sees the whole piece, in both polygons."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from starskel.decomposition.kernel import star_point, star_vertices
+from starskel.decomposition.pieces import Decomposition
+from starskel.predicates import Floats
+
+Triangle = tuple[int, int, int]
+
+
+@dataclass(frozen=True, eq=False)
+class Fans:
+    """Corresponding triangulations of both polygons.
+
+    Attributes
+    ----------
+    source, target : (m, 2) arrays
+        The points: the vertices of the pair, Steiner vertices, then those hubs that are no vertices.
+    triangles : (k, 3) array of int
+        Corners, counter-clockwise; a triangle may lack area where vertices lie on a line.
+    hubs : tuple of tuples of int
+        For each piece the points whose mean stands for its origin: one hub, or the corners of a lone
+        triangle.
+    """
+
+    source: Floats
+    target: Floats
+    triangles: NDArray[np.intp]
+    hubs: tuple[tuple[int, ...], ...]
+
+
+def fans_of(decomposition: Decomposition) -> Fans:
+    """Cut every piece into a fan; a piece of three vertices stays one triangle.
+
+    The hub is the centroid of the kernel, in each polygon its own. Where a kernel has no inside, the hub is
+    a common star vertex, or the mean of all of them, whichever makes the best worst triangle.
+    """
+    points = [decomposition.source], [decomposition.target]
+    count = len(decomposition.source)
+    triangles: list[Triangle] = []
+    hubs: list[tuple[int, ...]] = []
+    for piece in decomposition.pieces:
+        rings = decomposition.source[list(piece)], decomposition.target[list(piece)]
+        if len(piece) == 3:
+            triangles.append((piece[0], piece[1], piece[2]))
+            hubs.append(piece)
+            continue
+        hub = _hub(*rings)
+        if isinstance(hub, int):
+            own = piece[hub]
+        else:
+            own, count = count, count + 1
+            for side, place in zip(points, hub, strict=True):
+                side.append(place[None])
+        hubs.append((own,))
+        edges = zip(piece, (*piece[1:], piece[0]), strict=True)
+        triangles += [(own, a, b) for a, b in edges if own not in (a, b)]
+    source, target = (np.concatenate(side) for side in points)
+    return Fans(source, target, np.array(triangles, dtype=np.intp), tuple(hubs))
+
+
+def _hub(source: Floats, target: Floats) -> int | tuple[Floats, Floats]:
+    """Give a point of both kernels: a vertex by its place in the piece, or a place in each polygon."""
+    centres = star_point(source), star_point(target)
+    if centres[0] is not None and centres[1] is not None:
+        return centres[0], centres[1]
+    common = np.flatnonzero(star_vertices(source) & star_vertices(target))
+    mean = source[common].mean(axis=0), target[common].mean(axis=0)
+    worst = [_worst(source, target, source[k], target[k], int(k)) for k in common]
+    best = int(np.argmax(worst))
+    return int(common[best]) if worst[best] >= _worst(source, target, *mean) else mean
+
+
+def _worst(source: Floats, target: Floats, hub: Floats, other: Floats, vertex: int | None = None) -> float:
+    """Give the least ratio of area to squared sides among a fan's triangles."""
+    kept = np.ones(len(source), dtype=np.bool_)
+    if vertex is not None:
+        kept[[vertex - 1, vertex]] = False
+    return min(
+        float(_shapeliness(ring - place)[kept].min()) for ring, place in ((source, hub), (target, other))
+    )
+
+
+def _shapeliness(spokes: Floats) -> Floats:
+    following = np.roll(spokes, -1, axis=0)
+    areas = spokes[:, 0] * following[:, 1] - spokes[:, 1] * following[:, 0]
+    squares = (spokes**2 + following**2 + (following - spokes) ** 2).sum(axis=1)
+    return np.asarray(areas / squares)

@@ -1,0 +1,159 @@
+"""One linear least-squares problem over all fans, factored once; a product or two for every frame."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from starskel.blending.dissection import Dissection, dissect
+from starskel.blending.elimination import Factored, factor
+from starskel.blending.mesh import Mesh, triangle_areas
+from starskel.polar import Complex
+from starskel.predicates import Floats
+
+Indices = NDArray[np.intp]
+
+SHORTEST = 1e-3
+"""Edges shorter than this part of the size count as so long."""
+
+REACH = 0.3
+"""How far area corrections are smoothed, as a part of the size."""
+
+CLIP = 4.0
+"""The largest factor by which a triangle's area is corrected."""
+
+_LEAST_MASS = 1e-3
+"""The least mass of a triangle, as a part of the mean: those without area must not be left loose."""
+
+
+@dataclass(frozen=True, eq=False)
+class Graph:
+    """What does not change while weights do: the mesh, its division, which edges end where.
+
+    Attributes
+    ----------
+    mesh : Mesh
+    dissection : Dissection
+        Of the mesh's points.
+    ends : (2 e,) array
+        All ends of edges, ordered by point: edge i as i where it ends, as i + e where it starts.
+    firsts : (m,) array
+        Where each point's begin.
+    corners : (3 k,) array, corner_firsts : (m,) array
+        All corners of triangles, ordered by point, as triangles; and where each point's begin.
+    smoothing : Factored
+        Spreads what is wanted of triangles smoothly over the points.
+    masses : (k,) array
+        A third of each triangle's share of the area, the mean of source and target.
+    """
+
+    mesh: Mesh
+    dissection: Dissection
+    ends: Indices
+    firsts: Indices
+    corners: Indices
+    corner_firsts: Indices
+    smoothing: Factored
+    masses: Floats
+
+
+def graph_of(mesh: Mesh) -> Graph:
+    """Prepare what all weights share."""
+    count = len(mesh.source)
+    dissection = dissect(mesh.edges, count)
+    points = mesh.edges.T[::-1].ravel()
+    ends = np.argsort(points, kind="stable")
+    corners = np.argsort(mesh.triangles.ravel(), kind="stable")
+    every = np.arange(count)
+    shares = mesh.source_areas / mesh.source_areas.sum() + mesh.target_areas / mesh.target_areas.sum()
+    masses = np.maximum(shares / 2, _LEAST_MASS / len(shares)) / 3
+    at_points = _sums(mesh.triangles, masses, count)
+    at_edges = _sums(mesh.sides, masses, len(mesh.edges))
+    stiffness = at_edges * (REACH / _relative_lengths(mesh)) ** 2
+    return Graph(
+        mesh=mesh,
+        dissection=dissection,
+        ends=ends,
+        firsts=np.searchsorted(points[ends], every),
+        corners=corners // 3,
+        corner_firsts=np.searchsorted(mesh.triangles.ravel()[corners], every),
+        smoothing=factor(dissection, stiffness, at_points),
+        masses=masses,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Stitch:
+    """A least-squares problem, factored: each edge wishes to be its own vector, turned evenly.
+
+    Attributes
+    ----------
+    graph : Graph
+    weights : (e,) array
+        How much each edge insists.
+    dial : float
+        0 leaves areas as they come, 1 corrects them in full at the expense of lengths.
+    matrix : Factored
+        The normal equations.
+    """
+
+    graph: Graph
+    weights: Floats
+    dial: float
+    matrix: Factored
+
+    @classmethod
+    def of(cls, graph: Graph, weights: Floats, dial: float) -> "Stitch":
+        """Factor the problem with these weights; the place, which they leave free, is fixed at the first point."""
+        held = np.zeros(len(graph.mesh.source))
+        held[0] = weights.max()
+        return cls(graph, weights, dial, factor(graph.dissection, weights, held))
+
+    def dialled(self, dial: float) -> "Stitch":
+        """Give the same problem with another weight for areas."""
+        return replace(self, dial=dial)
+
+    def points(self, ts: Floats) -> Complex:
+        """Give all points of the mesh at each t, (k, m), up to a translation."""
+        wishes = self.graph.mesh.wishes.at(ts)
+        points = self._nearest(wishes)
+        if not self.dial:
+            return points
+        growth = self._growth(points, ts)
+        i, j = self.graph.mesh.edges.T
+        return self._nearest(wishes * np.exp((growth[:, i] + growth[:, j]) / 2))
+
+    def _nearest(self, wishes: Complex) -> Complex:
+        """Solve: the points whose edges come nearest to the wishes."""
+        pulls = wishes * self.weights
+        both = np.concatenate([pulls, -pulls], axis=1)[:, self.graph.ends]
+        right = np.add.reduceat(both, self.graph.firsts, axis=1)
+        parts = self.matrix.solve(np.concatenate([right.real, right.imag]))
+        return np.asarray(parts[: len(right)] + 1j * parts[len(right) :])
+
+    def _growth(self, points: Complex, ts: Floats) -> Floats:
+        """Give for each point the logarithm of the factor by which edges there should grow."""
+        graph = self.graph
+        mesh, t = graph.mesh, ts[:, None]
+        wanted = (1 - t) * mesh.source_areas + t * mesh.target_areas
+        there = np.clip(triangle_areas(points[:, mesh.triangles]), wanted / CLIP, wanted * CLIP)
+        lacking = np.zeros_like(wanted)
+        np.log(wanted / np.where(wanted > 0, there, 1.0), out=lacking, where=wanted > 0)
+        loads = (self.dial / 2 * graph.masses * lacking)[:, graph.corners]
+        return graph.smoothing.solve(np.add.reduceat(loads, graph.corner_firsts, axis=1))
+
+
+def _relative_lengths(mesh: Mesh) -> Floats:
+    return np.asarray(np.maximum(mesh.lengths / mesh.size, SHORTEST))
+
+
+def length_weights(mesh: Mesh, on_ring: float) -> Floats:
+    """Give the weights 1 / length^2, those of the outline's edges times a factor."""
+    return np.asarray(np.where(mesh.on_ring, on_ring, 1.0) / _relative_lengths(mesh) ** 2)
+
+
+def _sums(places: Indices, values: Floats, count: int) -> Floats:
+    """Add each triangle's value at its three places."""
+    sums = np.zeros(count)
+    np.add.at(sums, places, values[:, None])
+    return sums
