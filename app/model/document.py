@@ -6,8 +6,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.model import marks as pins
-from app.model.marks import Mark, Marks, Side
-from starskel.errors import InvalidPolygon
+from app.model.marks import Marks, Side
+from starskel.errors import InvalidMarks, InvalidPolygon
+from starskel.marks import Mark, checked_marks
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
 
@@ -40,7 +41,10 @@ class Document:
     methods: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        pins.check(self.marks)
+        if self.source is not None and self.target is not None:
+            checked_marks(self.source, self.target, self.marks)
+        elif self.marks:
+            raise InvalidMarks("there are marks, but not both shapes", "draw both shapes first", self.marks)
 
     def polygon(self, side: Side) -> Polygon | None:
         """Give the shape on this side."""
@@ -111,7 +115,7 @@ class Document:
         InvalidMarks
             Naming the new mark and the one that it conflicts with.
         """
-        return replace(self, marks=pins.add(self.marks, (source, target)))
+        return replace(self, marks=(*self.marks, (source, target)))
 
     def unmark(self, index: int) -> "Document":
         """Remove a mark."""
@@ -127,7 +131,7 @@ class Document:
         """
         moved = pins.with_end(self.marks[index], side, vertex)
         rest = self._marks_but(index)
-        pins.add(rest, moved)
+        replace(self, marks=(*rest, moved))  # checked last, the moved mark is the one that is named
         return replace(self, marks=(*rest[:index], moved, *rest[index:]))
 
     def compare(self, methods: tuple[str, ...]) -> "Document":
@@ -148,6 +152,8 @@ class Document:
         return pins.with_end(mark, side, polygon.vertex_of(pins.end(mark, side)))
 
     def _with(self, side: Side, polygon: Polygon | None, marks: Marks) -> "Document":
+        """Store a shape; it forgets in which order it was given, so that marks mean its own vertices."""
+        own = Polygon(polygon.vertices) if polygon is not None else None
         if side == "source":
-            return replace(self, source=polygon, marks=marks)
-        return replace(self, target=polygon, marks=marks)
+            return replace(self, source=own, marks=marks)
+        return replace(self, target=own, marks=marks)

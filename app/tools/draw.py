@@ -8,6 +8,7 @@ import numpy as np
 from app.model.document import Point
 from app.model.marks import Side
 from app.model.selection import Selection
+from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.pick import distance
 from app.tools.tool import (
     Commit,
@@ -31,7 +32,7 @@ class DrawTool(Tool):
     """Ready to begin a polygon."""
 
     name: ClassVar[str] = "draw"
-    hint: ClassVar[str] = "Click to set the first vertex of a new shape."
+    hint: ClassVar[str] = QT_TRANSLATE_NOOP("Hint", "Click to set the first vertex of a new shape.")
 
     def press(self, scene: Scene, pointer: Pointer) -> Response:
         return Response(Drawing(pointer.side, (pointer.at,), pointer.at))
@@ -59,8 +60,9 @@ class Drawing(Tool):
     closes: bool = False
 
     name: ClassVar[str] = "draw"
-    hint: ClassVar[str] = (
-        "Click adds a vertex; close on the first vertex or with Enter. Backspace takes one back, Esc cancels."
+    hint: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Hint",
+        "Click adds a vertex; the first vertex or Enter closes. Backspace takes one back, Esc cancels.",
     )
     busy: ClassVar[bool] = True
 
@@ -127,7 +129,7 @@ class Drawing(Tool):
             polygon = Polygon(ring)
         except InvalidPolygon as error:
             return Response(self, refusal=refused_ring(self.side, ring, error))
-        commit = Commit(scene.document.draw(self.side, polygon), "Draw shape")
+        commit = Commit(scene.document.draw(self.side, polygon), QT_TRANSLATE_NOOP("Step", "Draw shape"))
         return Response(DrawTool(), commit, Selection(self.side))
 
 

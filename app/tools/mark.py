@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from app.model.marks import Side, end, mark_at
+from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.pick import distance, vertex_at
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
 from starskel.errors import InvalidMarks
@@ -17,8 +18,9 @@ class MarkTool(Tool):
     vertex: int | None = None
 
     name: ClassVar[str] = "mark"
-    hint: ClassVar[str] = (
-        "Click a vertex, then its partner on the other canvas. Click a pin to remove it, drag it to move it."
+    hint: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Hint",
+        "Click a vertex, then its partner on the other canvas. Click a pin to remove it, drag it to move it.",
     )
 
     def press(self, scene: Scene, pointer: Pointer) -> Response:
@@ -48,7 +50,9 @@ class MarkBegun(Tool):
     hover: tuple[Side, int | None] = ("source", None)
 
     name: ClassVar[str] = "mark"
-    hint: ClassVar[str] = "Click the vertex that corresponds on the other canvas; Esc cancels."
+    hint: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Hint", "Click the vertex that corresponds on the other canvas; Esc cancels."
+    )
     busy: ClassVar[bool] = True
 
     def press(self, scene: Scene, pointer: Pointer) -> Response:
@@ -62,7 +66,9 @@ class MarkBegun(Tool):
             document = scene.document.mark(*pair)
         except InvalidMarks as error:
             return Response(self, refusal=Refusal(pointer.side, error, marks=(*error.marks, pair)))
-        return Response(MarkTool(pointer.side, vertex), Commit(document, "Set mark"))
+        return Response(
+            MarkTool(pointer.side, vertex), Commit(document, QT_TRANSLATE_NOOP("Step", "Set mark"))
+        )
 
     def move(self, scene: Scene, pointer: Pointer) -> Response:
         return Response(replace(self, hover=(pointer.side, vertex_at(scene.document, pointer))))
@@ -89,7 +95,9 @@ class HoldingPin(Tool):
     vertex: int | None = None
 
     name: ClassVar[str] = "mark"
-    hint: ClassVar[str] = "Release on another vertex to move the pin there; Esc puts it back."
+    hint: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Hint", "Release on another vertex to move the pin there; Esc puts it back."
+    )
     busy: ClassVar[bool] = True
 
     def move(self, scene: Scene, pointer: Pointer) -> Response:
@@ -100,14 +108,16 @@ class HoldingPin(Tool):
     def release(self, scene: Scene, pointer: Pointer) -> Response:
         side, document = self.start.side, scene.document
         if not self.dragged:
-            return Response(MarkTool(side), Commit(document.unmark(self.index), "Remove mark"))
+            return Response(
+                MarkTool(side), Commit(document.unmark(self.index), QT_TRANSLATE_NOOP("Step", "Remove mark"))
+            )
         if self.vertex is None or self.vertex == end(document.marks[self.index], side):
             return Response(MarkTool(side))
         try:
             moved = document.repin(self.index, side, self.vertex)
         except InvalidMarks as error:
             return Response(MarkTool(side), refusal=Refusal(side, error, marks=error.marks))
-        return Response(MarkTool(side, self.vertex), Commit(moved, "Move mark"))
+        return Response(MarkTool(side, self.vertex), Commit(moved, QT_TRANSLATE_NOOP("Step", "Move mark")))
 
     def cancel(self) -> Tool:
         return MarkTool(self.start.side)

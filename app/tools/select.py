@@ -3,9 +3,12 @@
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
-from app.model.document import Document, Point
+import numpy as np
+
+from app.model.document import Point
 from app.model.marks import Side
 from app.model.selection import Selection
+from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.pick import distance, edge_at, vertex_at, vertices_in
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool, refused_ring
 from starskel.errors import StarskelError
@@ -22,9 +25,10 @@ class SelectTool(Tool):
     insertion: Point | None = None
 
     name: ClassVar[str] = "select"
-    hint: ClassVar[str] = (
+    hint: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Hint",
         "Drag a vertex to move it; double-click an edge to insert one. "
-        "Shift adds to the selection; Delete removes; arrow keys nudge."
+        "Shift adds to the selection; Delete removes; arrow keys nudge.",
     )
 
     def press(self, scene: Scene, pointer: Pointer) -> Response:
@@ -54,7 +58,11 @@ class SelectTool(Tool):
         except StarskelError as error:
             return Response(self, refusal=Refusal(pointer.side, error, place=place))
         selection = Selection(pointer.side, frozenset([start + 1]))
-        return Response(SelectTool(pointer.side, start + 1), Commit(document, "Insert vertex"), selection)
+        return Response(
+            SelectTool(pointer.side, start + 1),
+            Commit(document, QT_TRANSLATE_NOOP("Step", "Insert vertex")),
+            selection,
+        )
 
     def key(self, scene: Scene, key: Key) -> Response:
         if not scene.selection:
@@ -63,14 +71,24 @@ class SelectTool(Tool):
             return self._delete(scene)
         if key.name in ARROWS:
             x, y = ARROWS[key.name]
-            side, vertices = scene.selection.side, scene.selection.vertices
-            return _move(scene, side, vertices, (x * key.step, y * key.step), "Nudge vertices")
+            return self._nudge(scene, (x * key.step, y * key.step))
         return Response(self)
 
     def overlay(self, scene: Scene, side: Side) -> Overlay:
         if side != self.side or (self.vertex or 0) >= len(scene.document.vertices(side)):
             return Overlay()
         return Overlay(vertex=self.vertex, insertion=self.insertion)
+
+    @staticmethod
+    def _nudge(scene: Scene, offset: Point) -> Response:
+        """Move the selection; nudges of the same vertices in a row are undone at once."""
+        side, vertices = scene.selection.side, scene.selection.vertices
+        response = _move(scene, side, vertices, offset)
+        if response.commit is None:
+            return response
+        name = QT_TRANSLATE_NOOP("Step", "Nudge vertices")
+        commit = Commit(response.commit.document, name, joins=("nudge", side, vertices))
+        return replace(response, commit=commit)
 
     def _delete(self, scene: Scene) -> Response:
         side, vertices = scene.selection.side, scene.selection.vertices
@@ -79,7 +97,9 @@ class SelectTool(Tool):
         except StarskelError as error:
             left = [v for v in range(len(scene.document.vertices(side))) if v not in vertices]
             return Response(self, refusal=refused_ring(side, scene.document.vertices(side)[left], error))
-        return Response(SelectTool(side), Commit(document, "Delete vertices"), Selection(side))
+        return Response(
+            SelectTool(side), Commit(document, QT_TRANSLATE_NOOP("Step", "Delete vertices")), Selection(side)
+        )
 
 
 @dataclass(frozen=True)
@@ -92,21 +112,21 @@ class Dragging(Tool):
     offset: Point | None = None
 
     name: ClassVar[str] = "select"
-    hint: ClassVar[str] = "Release to set the vertices here; Esc puts them back."
+    hint: ClassVar[str] = QT_TRANSLATE_NOOP("Hint", "Release to set the vertices here; Esc puts them back.")
     busy: ClassVar[bool] = True
 
     def move(self, scene: Scene, pointer: Pointer) -> Response:
         if self.offset is None and distance(pointer.at, self.start.at) <= pointer.radius / 3:
             return Response(self)  # a shaky click is no drag
         offset = (pointer.at[0] - self.start.at[0], pointer.at[1] - self.start.at[1])
-        tried = _move(scene, self.start.side, self.vertices, offset, "")
+        tried = _move(scene, self.start.side, self.vertices, offset)
         return Response(replace(self, offset=offset), refusal=tried.refusal)
 
     def release(self, scene: Scene, pointer: Pointer) -> Response:
         if self.offset is None:
             only = Selection(self.start.side, frozenset([self.vertex]))
             return Response(SelectTool(self.start.side, self.vertex), selection=only)
-        return _move(scene, self.start.side, self.vertices, self.offset, "Move vertices")
+        return _move(scene, self.start.side, self.vertices, self.offset)
 
     def key(self, scene: Scene, key: Key) -> Response:
         return Response(self.cancel() if key.name in ("backspace", "delete") else self)
@@ -129,7 +149,7 @@ class RubberBand(Tool):
     kept: Selection
 
     name: ClassVar[str] = "select"
-    hint: ClassVar[str] = "Release to select the vertices in the box."
+    hint: ClassVar[str] = QT_TRANSLATE_NOOP("Hint", "Release to select the vertices in the box.")
     busy: ClassVar[bool] = True
 
     def move(self, scene: Scene, pointer: Pointer) -> Response:
@@ -146,20 +166,14 @@ class RubberBand(Tool):
         return Overlay(box=(self.start.at, self.end.at)) if side == self.start.side else Overlay()
 
 
-def _move(scene: Scene, side: Side, vertices: frozenset[int], offset: Point, name: str) -> Response:
-    """Try to move vertices; a nudge joins the nudges of the same vertices before it."""
+def _move(scene: Scene, side: Side, vertices: frozenset[int], offset: Point) -> Response:
+    """Try to move vertices."""
+    ring = scene.document.moved(side, vertices, offset)
     try:
         document = scene.document.move(side, vertices, offset)
     except StarskelError as error:
-        ring = scene.document.moved(side, vertices, offset)
         return Response(SelectTool(side), refusal=refused_ring(side, ring, error))
-    selection = Selection(side, _followed(document, side, vertices))
-    joins = (name, side, vertices) if name == "Nudge vertices" else None
-    return Response(SelectTool(side), Commit(document, name, joins), selection)
-
-
-def _followed(document: Document, side: Side, vertices: frozenset[int]) -> frozenset[int]:
-    """Give the vertices' indices in the new shape: they change when it is turned inside out."""
-    polygon = document.polygon(side)
-    assert polygon is not None
-    return frozenset(polygon.vertex_of(vertex) for vertex in vertices)
+    # a shape that is turned inside out numbers its vertices anew
+    moved = (document.vertices(side)[:, None] == ring[sorted(vertices)]).all(axis=2).any(axis=1)
+    selection = Selection(side, frozenset(np.flatnonzero(moved).tolist()))
+    return Response(SelectTool(side), Commit(document, QT_TRANSLATE_NOOP("Step", "Move vertices")), selection)

@@ -94,7 +94,7 @@ def test_the_mark_that_was_passed_is_named(new: tuple[int, int], passed: tuple[i
 
 def test_a_vertex_has_at_most_one_mark() -> None:
     document = Document(source=SQUARE, target=SQUARE, marks=((0, 0),))
-    with pytest.raises(InvalidMarks, match="already"):
+    with pytest.raises(InvalidMarks, match="both name vertex 0"):
         document.mark(0, 2)
 
 

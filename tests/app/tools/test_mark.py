@@ -36,7 +36,10 @@ def test_it_may_begin_on_the_target() -> None:
 
 
 def test_a_crossing_mark_is_refused_and_shows_both() -> None:
-    scene = Scene(Document(source=SHAPE, target=SHAPE, marks=((0, 0), (1, 2))), Selection())
+    scene = Scene(Document(source=SHAPE, target=SHAPE, marks=((0, 0), (3, 3))), Selection())
+    response = MarkBegun("source", 1).press(scene, at("target", 10, 10))
+    assert response.commit is not None
+    scene = Scene(response.commit.document, Selection())
     response = MarkBegun("source", 2).press(scene, at("target", 10, 0))
     assert response.commit is None
     assert response.refusal is not None

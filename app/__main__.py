@@ -1,0 +1,33 @@
+"""starskel-editor [FILE]: open the editor."""
+
+import argparse
+import sys
+from importlib import import_module
+from pathlib import Path
+
+from app.surroundings import what_is_missing
+
+FAILED = 2
+
+
+def main() -> int:
+    """Run the editor and give its exit status: 0, or 2 where it cannot open a window."""
+    parser = argparse.ArgumentParser(
+        prog="starskel-editor",
+        description="Draw two shapes, mark what corresponds, watch and export the blends.",
+    )
+    parser.add_argument(
+        "file", nargs="?", type=Path, metavar="FILE", help="a project, or a file of pairs (polygon-pairs/1)"
+    )
+    arguments = parser.parse_args()
+    missing = what_is_missing()
+    if missing:
+        print(f"starskel-editor: {missing}", file=sys.stderr)
+        return FAILED
+    # imported only now: where Qt's libraries are missing this fails, and the message above is clearer
+    status: int = import_module("app.view.start").run(arguments.file)
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main())

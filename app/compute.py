@@ -1,0 +1,223 @@
+"""Blends computed beside the window: frozen requests, one worker thread, the newest request wins.
+
+The window sets the newest generation before it sends a request, and the worker compares it whenever the
+library asks whether to stop. So an old request ends within the library's promise (100 ms), and whatever it
+still delivers carries an old generation and is dropped.
+"""
+
+import traceback
+from dataclasses import dataclass, replace
+from functools import partial
+
+from PySide6.QtCore import QObject, QThread, Signal, Slot
+
+from app.model.marks import Marks
+from starskel import Blend, Correspondence, Decomposition, Report, blend, match, measure
+from starskel.errors import Cancelled, StarskelError
+from starskel.polygon import Polygon
+
+
+@dataclass(frozen=True)
+class Request:
+    """What is to be blended, and how.
+
+    Attributes
+    ----------
+    source, target : Polygon
+        The shapes.
+    marks : tuple of (int, int)
+        What corresponds.
+    methods : tuple of str
+        The methods, in the order in which they are wanted.
+    generation : int
+        Grows from request to request.
+    """
+
+    source: Polygon
+    target: Polygon
+    marks: Marks
+    methods: tuple[str, ...]
+    generation: int = 0
+
+
+@dataclass(frozen=True, eq=False)
+class Result:
+    """A blend and what was measured of it."""
+
+    method: str
+    blend: Blend
+    report: Report
+
+
+@dataclass(frozen=True, eq=False)
+class Failure:
+    """Why there is no blend by this method."""
+
+    method: str
+    error: Exception
+
+
+@dataclass(frozen=True, eq=False)
+class MethodState:
+    """What there is to show of one method.
+
+    Attributes
+    ----------
+    result : Result or None
+        The last good one.
+    error : Exception or None
+        Why there is no newer one.
+    stale : bool
+        Whether the shapes have changed since.
+    """
+
+    result: Result | None = None
+    error: Exception | None = None
+    stale: bool = True
+
+    def outdated(self) -> "MethodState":
+        """Mark it stale; the last good blend stays."""
+        return replace(self, error=None, stale=True)
+
+    def after(self, outcome: Result | Failure) -> "MethodState":
+        """Take in what the worker delivered."""
+        if isinstance(outcome, Result):
+            return MethodState(outcome, stale=False)
+        return replace(self, error=outcome.error)
+
+
+class Worker(QObject):
+    """Works off requests, in its own thread."""
+
+    delivered = Signal(int, object)
+    progressed = Signal(int, str, float)
+    finished = Signal(int)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.newest = 0  # set by the window, read here: one int, so no lock
+
+    @Slot(object)
+    def work(self, request: Request) -> None:
+        job = Job(self, request)
+        try:
+            for method in request.methods:
+                self.delivered.emit(request.generation, job.outcome(method))
+        except Cancelled:
+            return
+        self.finished.emit(request.generation)
+
+
+class Job:
+    """A request being worked off: what its methods share is computed once."""
+
+    def __init__(self, worker: Worker, request: Request) -> None:
+        self._worker = worker
+        self._request = request
+        self._pair: Correspondence | None = None
+        self._decomposition: Decomposition | None = None
+        self._percent = -1
+
+    def outcome(self, method: str) -> Result | Failure:
+        """Blend by one method, and measure.
+
+        Raises
+        ------
+        Cancelled
+            If a newer request has come.
+        """
+        try:
+            self._report(method, 0.0)
+            made = self._blend(method)
+            self._report(method, 1.0)
+            return Result(method, made, measure(made))
+        except Cancelled:
+            raise
+        except Exception as error:  # whatever it is, the window shows it; the thread lives on
+            if not isinstance(error, StarskelError):
+                traceback.print_exception(error)
+            return Failure(method, error)
+
+    def _blend(self, method: str) -> Blend:
+        if self._pair is None:
+            self._pair = match(self._request.source, self._request.target, self._request.marks)
+        made = blend(
+            self._pair,
+            method=method,
+            decomposition=self._decomposition,
+            progress=partial(self._report, method),
+            should_stop=self._is_old,
+        )
+        self._decomposition = made.decomposition or self._decomposition
+        return made
+
+    def _is_old(self) -> bool:
+        return self._worker.newest != self._request.generation
+
+    def _report(self, method: str, fraction: float) -> None:
+        """Report whole percents of the request; the library may call far more often."""
+        if self._is_old():
+            raise Cancelled
+        methods = self._request.methods
+        percent = int(100 * (methods.index(method) + fraction) / len(methods))
+        if percent != self._percent:
+            self._percent = percent
+            self._worker.progressed.emit(self._request.generation, method, percent / 100)
+
+
+class Computer(QObject):
+    """The window's end of the worker: sends requests, passes on what still matters."""
+
+    delivered = Signal(object)
+    progressed = Signal(str, float)
+    busy_changed = Signal(bool)
+    _requested = Signal(object)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.busy = False
+        self._worker = Worker()
+        self._thread = QThread(self)
+        self._worker.moveToThread(self._thread)
+        self._requested.connect(self._worker.work)
+        self._worker.delivered.connect(self._deliver)
+        self._worker.progressed.connect(self._progress)
+        self._worker.finished.connect(self._finish)
+        self._thread.start()
+
+    def request(self, request: Request) -> None:
+        """Compute this instead of whatever is being computed."""
+        self._worker.newest += 1
+        self._set_busy(True)
+        self._requested.emit(replace(request, generation=self._worker.newest))
+
+    def cancel(self) -> None:
+        """Stop computing; nothing more is delivered."""
+        self._worker.newest += 1
+        self._set_busy(False)
+
+    def close(self) -> None:
+        """Stop and end the thread; to be called before the program ends."""
+        self.cancel()
+        self._thread.quit()
+        self._thread.wait()
+
+    @Slot(int, object)
+    def _deliver(self, generation: int, outcome: Result | Failure) -> None:
+        if generation == self._worker.newest:
+            self.delivered.emit(outcome)
+
+    @Slot(int, str, float)
+    def _progress(self, generation: int, method: str, fraction: float) -> None:
+        if generation == self._worker.newest:
+            self.progressed.emit(method, fraction)
+
+    @Slot(int)
+    def _finish(self, generation: int) -> None:
+        if generation == self._worker.newest:
+            self._set_busy(False)
+
+    def _set_busy(self, busy: bool) -> None:
+        if busy != self.busy:
+            self.busy = busy
+            self.busy_changed.emit(busy)

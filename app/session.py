@@ -1,0 +1,281 @@
+"""Session: the one object that owns what is edited, the tool in hand and the blends."""
+
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from app.compute import Computer, Failure, MethodState, Request, Result
+from app.model.document import Document
+from app.model.history import History
+from app.model.marks import Marks, Side
+from app.model.selection import Selection, everything
+from app.model.texts import QT_TRANSLATE_NOOP
+from app.tools.draw import DrawTool
+from app.tools.mark import MarkTool
+from app.tools.select import SelectTool
+from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
+from starskel.files.project import Project, read_project, write_project
+from starskel.polygon import Polygon
+
+TOOLS: dict[str, type[Tool]] = {tool.name: tool for tool in (SelectTool, DrawTool, MarkTool)}
+
+Shapes = tuple[Polygon | None, Polygon | None, Marks]
+
+
+class Session(QObject):
+    """What one window edits. Canvases send events in; whatever shows something listens to the signals.
+
+    Attributes
+    ----------
+    selection : Selection
+        The selected vertices.
+    tool : Tool
+        The state of the tool in hand.
+    refusal : Refusal or None
+        The last edit that was not possible, until the next one is tried.
+    results : dict of str to MethodState
+        For each method of the document what there is to show.
+    path : Path or None
+        The project file, None before it has one.
+    """
+
+    changed = Signal()
+    """The canvases look different."""
+    document_changed = Signal()
+    """The document, its file or its unsaved state is another."""
+    tool_changed = Signal()
+    results_changed = Signal()
+    progressed = Signal(str, float)
+    busy_changed = Signal(bool)
+
+    def __init__(self, methods: tuple[str, ...], parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._methods = methods
+        self._history = History.of(Document(methods=methods))
+        self._saved = self.document
+        self._computed: Shapes = (None, None, ())
+        self._computer = Computer(self)
+        self._computer.delivered.connect(self._take)
+        self._computer.progressed.connect(self.progressed)
+        self._computer.busy_changed.connect(self.busy_changed)
+        self.selection = Selection()
+        self.tool: Tool = SelectTool()
+        self.refusal: Refusal | None = None
+        self.results: dict[str, MethodState] = {}
+        self.path: Path | None = None
+
+    @property
+    def document(self) -> Document:
+        """The document as it is now."""
+        return self._history.document
+
+    @property
+    def unsaved(self) -> bool:
+        """Whether the document differs from its file."""
+        return self.document != self._saved
+
+    @property
+    def busy(self) -> bool:
+        """Whether the worker is computing."""
+        return self._computer.busy
+
+    @property
+    def fresh_results(self) -> tuple[Result, ...]:
+        """The blends of the document as it is now, in the order in which they are shown."""
+        states = self.results.values()
+        return tuple(state.result for state in states if state.result is not None and not state.stale)
+
+    @property
+    def undoes(self) -> str | None:
+        """The name of the edit that undo takes back."""
+        return self._history.undoes
+
+    @property
+    def redoes(self) -> str | None:
+        """The name of the edit that redo brings again."""
+        return self._history.redoes
+
+    def overlay(self, side: Side) -> Overlay:
+        """Give what the tool shows on a canvas."""
+        return self.tool.overlay(self._scene(), side)
+
+    # events from the canvases
+
+    def press(self, pointer: Pointer) -> None:
+        self._answer(self.tool.press(self._scene(), pointer))
+
+    def double_press(self, pointer: Pointer) -> None:
+        self._answer(self.tool.double_press(self._scene(), pointer))
+
+    def release(self, pointer: Pointer) -> None:
+        response = self.tool.release(self._scene(), pointer)
+        self._answer(replace(response, refusal=response.refusal or self.refusal))
+
+    def move(self, pointer: Pointer) -> None:
+        """Follow the pointer; a gesture shows at once what it may not do, and else the last refusal stays."""
+        busy = self.tool.busy
+        response = self.tool.move(self._scene(), pointer)
+        self._answer(response if busy else replace(response, refusal=self.refusal))
+
+    def key(self, key: Key) -> None:
+        self._answer(self.tool.key(self._scene(), key))
+
+    # commands
+
+    def choose_tool(self, name: str) -> None:
+        self._answer(Response(TOOLS[name]()))
+
+    def cancel(self) -> None:
+        """Give up the nearest thing that can be given up: gesture, notice, computation, selection."""
+        if self.tool.busy:
+            self._answer(Response(self.tool.cancel()))
+        elif self.refusal is not None:
+            self._answer(Response(self.tool))
+        elif self.busy:
+            self._computer.cancel()
+        else:
+            self._answer(Response(self.tool, selection=Selection(self.selection.side)))
+
+    def select_all(self, side: Side) -> None:
+        self._answer(Response(SelectTool(), selection=everything(self.document, side)))
+
+    def undo(self) -> None:
+        """Take back the last edit, or the last vertex of a path that is being drawn."""
+        if self.tool.busy:
+            self.key(Key("backspace"))
+        else:
+            self._travel(self._history.undo())
+
+    def redo(self) -> None:
+        self._travel(self._history.redo())
+
+    def compare(self, methods: tuple[str, ...]) -> None:
+        """Choose the methods shown side by side."""
+        self._commit(Commit(self.document.compare(methods), QT_TRANSLATE_NOOP("Step", "Choose methods")))
+
+    def recompute(self) -> None:
+        """Compute all blends anew."""
+        self._computed = (None, None, ())
+        self._compute()
+
+    def close(self) -> None:
+        """End the worker; to be called before the program ends."""
+        self._computer.close()
+
+    # files
+
+    def new(self) -> None:
+        self._start(Document(methods=self._methods), None)
+
+    def open(self, path: Path) -> None:
+        """Open a project file.
+
+        Raises
+        ------
+        StarskelError
+            If it cannot be read; what was open stays open.
+        """
+        self.show_project(read_project(path), path)
+
+    def show_project(self, project: Project, path: Path | None = None) -> None:
+        """Edit a project, which may have no file yet.
+
+        Raises
+        ------
+        InvalidMarks
+            If its marks cross.
+        """
+        self._start(_document_of(project, self._methods), path)
+
+    def save(self, path: Path) -> None:
+        """Write the project file, whole or not at all.
+
+        Raises
+        ------
+        InvalidFile
+            If it cannot be written.
+        """
+        document = self.document
+        name = document.name or path.stem
+        write_project(path, Project(name, document.source, document.target, document.marks, document.methods))
+        self.path, self._saved = path, document
+        self.document_changed.emit()
+
+    # how answers and documents come in
+
+    def _scene(self) -> Scene:
+        return Scene(self.document, self.selection)
+
+    def _answer(self, response: Response) -> None:
+        former, self.tool = self.tool, response.tool
+        self.refusal = response.refusal
+        if response.selection is not None:
+            self.selection = response.selection
+        if response.commit is not None:
+            self._commit(response.commit)
+        if type(former) is not type(self.tool):
+            self.tool_changed.emit()
+        self.changed.emit()
+
+    def _commit(self, commit: Commit) -> None:
+        if commit.document == self.document:
+            return
+        self._history = self._history.push(commit.document, commit.name, commit.joins)
+        self._refresh()
+
+    def _travel(self, history: History) -> None:
+        former = self.document
+        self._history = history
+        self.selection = self.selection.after(former, self.document)
+        self.tool = TOOLS[self.tool.name]()
+        self.refusal = None
+        self._refresh()
+
+    def _start(self, document: Document, path: Path | None) -> None:
+        self._history = History.of(document)
+        self._saved, self.path = document, path
+        self.selection, self.refusal = Selection(), None
+        self.tool = SelectTool() if document.source or document.target else DrawTool()
+        self.results = {}
+        self.tool_changed.emit()
+        self._refresh()
+
+    def _refresh(self) -> None:
+        self.document_changed.emit()
+        self.changed.emit()
+        self._compute()
+
+    # blends
+
+    def _compute(self) -> None:
+        """Ask for what is missing or stale; results that still hold are kept."""
+        document = self.document
+        shapes: Shapes = (document.source, document.target, document.marks)
+        same = shapes == self._computed
+        known = self.results
+        self.results = {method: known.get(method, MethodState()) for method in document.methods}
+        if document.source is None or document.target is None:
+            self._computer.cancel()
+            self.results = {method: MethodState() for method in document.methods}
+        elif wanted := tuple(m for m, shown in self.results.items() if shown.stale or not same):
+            for method in wanted:
+                self.results[method] = self.results[method].outdated()
+            self._computer.request(Request(document.source, document.target, document.marks, wanted))
+        self._computed = shapes
+        self.results_changed.emit()
+
+    @Slot(object)
+    def _take(self, outcome: Result | Failure) -> None:
+        if outcome.method in self.results:
+            self.results[outcome.method] = self.results[outcome.method].after(outcome)
+            self.results_changed.emit()
+
+
+def _document_of(project: Project, methods: tuple[str, ...]) -> Document:
+    """Give a project as a document; unknown methods in it are left out, none at all means the usual ones."""
+    known = tuple(method for method in project.methods if method in methods) or methods
+    document = (
+        Document(project.name, methods=known).draw("source", project.source).draw("target", project.target)
+    )
+    return replace(document, marks=project.marks)

@@ -1,0 +1,73 @@
+"""Camera: how document units fall on the pixels of a view."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from app.model.document import Point
+from starskel.predicates import Floats
+
+MARGIN = 0.12
+"""Share of a view left free around what is fitted into it."""
+
+
+@dataclass(frozen=True)
+class Camera:
+    """A view of the plane, y up.
+
+    Attributes
+    ----------
+    width, height : float
+        Size of the view in pixels.
+    scale : float
+        Pixels per document unit.
+    centre : (float, float)
+        The place in the middle of the view.
+    """
+
+    width: float = 1.0
+    height: float = 1.0
+    scale: float = 4.0
+    centre: Point = (50.0, 50.0)
+
+    def to_screen(self, points: Floats) -> Floats:
+        """Give places on the screen, (..., 2), y down."""
+        screen: Floats = (points - np.array(self.centre)) * (self.scale, -self.scale)
+        screen += (self.width / 2, self.height / 2)
+        return screen
+
+    def to_document(self, x: float, y: float) -> Point:
+        """Give the place in the document under a place on the screen."""
+        return (
+            self.centre[0] + (x - self.width / 2) / self.scale,
+            self.centre[1] - (y - self.height / 2) / self.scale,
+        )
+
+    def resized(self, width: float, height: float) -> "Camera":
+        """Show the same place in the middle of a view of another size."""
+        return replace(self, width=width, height=height)
+
+    def zoomed(self, factor: float, x: float, y: float) -> "Camera":
+        """Zoom so that what is under a place on the screen stays there."""
+        fixed = self.to_document(x, y)
+        scale = self.scale * factor
+        centre = (
+            fixed[0] - (x - self.width / 2) / scale,
+            fixed[1] + (y - self.height / 2) / scale,
+        )
+        return replace(self, scale=scale, centre=centre)
+
+    def panned(self, dx: float, dy: float) -> "Camera":
+        """Move what is shown by a way on the screen."""
+        return replace(self, centre=(self.centre[0] - dx / self.scale, self.centre[1] + dy / self.scale))
+
+    def fitting(self, points: Floats, margin: float = MARGIN) -> "Camera":
+        """Show all of these points; none of them: the unit box of files, 100 by 100."""
+        if not len(points):
+            points = np.array([(0.0, 0.0), (100.0, 100.0)])
+        low, high = points.min(axis=0), points.max(axis=0)
+        free = 1 - 2 * margin
+        width, height = np.maximum(high - low, 1e-9 * max(np.abs(points).max(), 1e-300)).tolist()
+        scale = min(self.width * free / width, self.height * free / height)
+        middle = (low + high) / 2
+        return replace(self, scale=scale, centre=(float(middle[0]), float(middle[1])))

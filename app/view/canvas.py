@@ -1,0 +1,173 @@
+"""Canvas: one of the two shapes, to be looked at and edited."""
+
+from PySide6.QtCore import QPointF, Qt, Slot
+from PySide6.QtGui import (
+    QFocusEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QResizeEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from app.model.marks import Side
+from app.session import Session
+from app.tools.tool import Key, Pointer
+from app.view import words
+from app.view.camera import Camera
+from app.view.canvas_painter import CanvasPainter
+
+PICK = 9.0
+"""Pixels within which a vertex or an edge counts as under the pointer."""
+
+NOTCH = 1.25
+"""Zoom factor of one notch of the wheel."""
+
+KEYS = {
+    Qt.Key.Key_Return: "enter",
+    Qt.Key.Key_Enter: "enter",
+    Qt.Key.Key_Backspace: "backspace",
+    Qt.Key.Key_Left: "left",
+    Qt.Key.Key_Right: "right",
+    Qt.Key.Key_Up: "up",
+    Qt.Key.Key_Down: "down",
+}
+
+
+class Canvas(QWidget):
+    """Shows one side of the session's document and feeds the tool with what the user does here."""
+
+    def __init__(self, session: Session, side: Side, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.side = side
+        self.camera = Camera()
+        self._session = session
+        self._fits = True
+        self._panning_from: QPointF | None = None
+        self._space = False
+        self.setObjectName(f"{side}-canvas")
+        self.setAccessibleName(words.side(side))
+        self.setMouseTracking(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAutoFillBackground(False)
+        self.setMinimumSize(160, 120)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        session.changed.connect(self.update)
+        session.document_changed.connect(self._follow)
+        session.tool_changed.connect(self._show_cursor)
+        self._show_cursor()
+
+    # what is shown
+
+    def fit(self) -> None:
+        """Show the whole shape, and go on doing so until the user zooms or pans."""
+        self._fits = True
+        self._follow()
+
+    def zoom(self, factor: float) -> None:
+        """Zoom at the middle of the view."""
+        self._look(self.camera.zoomed(factor, self.width() / 2, self.height() / 2))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        try:
+            CanvasPainter(painter, self.palette(), self.camera, self._session, self.side).paint()
+        finally:
+            painter.end()  # a painter left open after an exception crashes the program later
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self.camera = self.camera.resized(self.width(), self.height())
+        self._follow()
+
+    @Slot()
+    def _follow(self) -> None:
+        """Keep the shape fitted, but not while it is drawn or when the user chose a view."""
+        if self._fits and not self._session.tool.busy:
+            self.camera = self.camera.fitting(self._session.document.vertices(self.side))
+        self.update()
+
+    def _look(self, camera: Camera) -> None:
+        self._fits = False
+        self.camera = camera
+        self.update()
+
+    # pointer and keys
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self.setFocus(Qt.FocusReason.MouseFocusReason)
+        if event.button() == Qt.MouseButton.MiddleButton or (self._space and self._is_left(event)):
+            self._panning_from = event.position()
+            self.setCursor(Qt.CursorShape.ClosedHandCursor)
+        elif self._is_left(event):
+            self._session.press(self._pointer(event))
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if self._is_left(event) and not self._space:
+            self._session.double_press(self._pointer(event))
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._panning_from is not None:
+            way = event.position() - self._panning_from
+            self._panning_from = event.position()
+            self._look(self.camera.panned(way.x(), way.y()))
+        else:
+            self._session.move(self._pointer(event))
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if self._panning_from is not None:
+            self._panning_from = None
+            self._show_cursor()
+        elif self._is_left(event):
+            self._session.release(self._pointer(event))
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        place = event.position()
+        factor = NOTCH ** (event.angleDelta().y() / 120)
+        self._look(self.camera.zoomed(factor, place.x(), place.y()))
+        event.accept()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        name = KEYS.get(Qt.Key(event.key()))
+        if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
+            self._space = True
+            self._show_cursor()
+        elif name is not None:
+            far = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+            self._session.key(Key(name, (10 if far else 1) / self.camera.scale))
+        else:
+            super().keyPressEvent(event)
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
+            self._space = False
+            self._show_cursor()
+        else:
+            super().keyReleaseEvent(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        self._space = False
+        self.update()
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        self.update()
+
+    @staticmethod
+    def _is_left(event: QMouseEvent) -> bool:
+        return event.button() == Qt.MouseButton.LeftButton
+
+    def _pointer(self, event: QMouseEvent) -> Pointer:
+        place = event.position()
+        shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        at = self.camera.to_document(place.x(), place.y())
+        return Pointer(self.side, at, PICK / self.camera.scale, shift)
+
+    @Slot()
+    def _show_cursor(self) -> None:
+        if self._space:
+            self.setCursor(Qt.CursorShape.OpenHandCursor)
+        elif self._session.tool.name == "draw":
+            self.setCursor(Qt.CursorShape.CrossCursor)
+        else:
+            self.setCursor(Qt.CursorShape.ArrowCursor)

@@ -1,0 +1,218 @@
+"""The one table of all commands; menus, toolbar and shortcuts are made from it."""
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+
+@dataclass(frozen=True)
+class Command:
+    """A row of the table.
+
+    Attributes
+    ----------
+    name : str
+        What the code calls it.
+    text : str
+        What the menu calls it.
+    tip : str
+        One line about what it does.
+    keys : tuple of str
+        Shortcuts in portable form.
+    group : str
+        Commands of one group exclude each other: one of them is checked.
+    checkable : bool
+        Whether it is a switch.
+    """
+
+    name: str
+    text: object
+    tip: object
+    keys: tuple[str, ...] = ()
+    group: str = ""
+    checkable: bool = False
+
+
+COMMANDS = (
+    Command(
+        "new",
+        QT_TRANSLATE_NOOP("Command", "&New"),
+        QT_TRANSLATE_NOOP("Command", "Start with two empty canvases"),
+        ("Ctrl+N",),
+    ),
+    Command(
+        "open",
+        QT_TRANSLATE_NOOP("Command", "&Open…"),
+        QT_TRANSLATE_NOOP("Command", "Open a project or a file of polygon pairs"),
+        ("Ctrl+O",),
+    ),
+    Command(
+        "save",
+        QT_TRANSLATE_NOOP("Command", "&Save"),
+        QT_TRANSLATE_NOOP("Command", "Save the project"),
+        ("Ctrl+S",),
+    ),
+    Command(
+        "save-as",
+        QT_TRANSLATE_NOOP("Command", "Save &As…"),
+        QT_TRANSLATE_NOOP("Command", "Save the project under another name"),
+        ("Ctrl+Shift+S",),
+    ),
+    Command(
+        "export",
+        QT_TRANSLATE_NOOP("Command", "&Export…"),
+        QT_TRANSLATE_NOOP("Command", "Export keyframes as SVG or PostScript"),
+        ("Ctrl+E",),
+    ),
+    Command(
+        "quit",
+        QT_TRANSLATE_NOOP("Command", "&Quit"),
+        QT_TRANSLATE_NOOP("Command", "Close the window"),
+        ("Ctrl+Q",),
+    ),
+    Command(
+        "undo",
+        QT_TRANSLATE_NOOP("Command", "&Undo"),
+        QT_TRANSLATE_NOOP("Command", "Take back the last edit"),
+        ("Ctrl+Z",),
+    ),
+    Command(
+        "redo",
+        QT_TRANSLATE_NOOP("Command", "&Redo"),
+        QT_TRANSLATE_NOOP("Command", "Bring back what was undone"),
+        ("Ctrl+Shift+Z", "Ctrl+Y"),
+    ),
+    Command(
+        "select-all",
+        QT_TRANSLATE_NOOP("Command", "Select &All"),
+        QT_TRANSLATE_NOOP("Command", "Select all vertices of the shape last worked on"),
+        ("Ctrl+A",),
+    ),
+    Command(
+        "delete",
+        QT_TRANSLATE_NOOP("Command", "&Delete"),
+        QT_TRANSLATE_NOOP("Command", "Delete the selected vertices"),
+        ("Del",),
+    ),
+    Command(
+        "cancel",
+        QT_TRANSLATE_NOOP("Command", "&Cancel"),
+        QT_TRANSLATE_NOOP("Command", "Give up the gesture or the computation under way"),
+        ("Esc",),
+    ),
+    Command(
+        "select",
+        QT_TRANSLATE_NOOP("Command", "&Select"),
+        QT_TRANSLATE_NOOP("Command", "Select, move, insert and delete vertices"),
+        ("S",),
+        "tool",
+        True,
+    ),
+    Command(
+        "draw",
+        QT_TRANSLATE_NOOP("Command", "&Draw"),
+        QT_TRANSLATE_NOOP("Command", "Draw a shape vertex by vertex"),
+        ("D",),
+        "tool",
+        True,
+    ),
+    Command(
+        "mark",
+        QT_TRANSLATE_NOOP("Command", "&Mark"),
+        QT_TRANSLATE_NOOP("Command", "Mark vertices that correspond"),
+        ("M",),
+        "tool",
+        True,
+    ),
+    Command(
+        "fit",
+        QT_TRANSLATE_NOOP("Command", "&Fit"),
+        QT_TRANSLATE_NOOP("Command", "Show both shapes whole"),
+        ("F",),
+    ),
+    Command(
+        "zoom-in",
+        QT_TRANSLATE_NOOP("Command", "Zoom &In"),
+        QT_TRANSLATE_NOOP("Command", "Show both shapes larger"),
+        ("Ctrl++", "Ctrl+="),
+    ),
+    Command(
+        "zoom-out",
+        QT_TRANSLATE_NOOP("Command", "Zoom &Out"),
+        QT_TRANSLATE_NOOP("Command", "Show both shapes smaller"),
+        ("Ctrl+-",),
+    ),
+    Command(
+        "pieces",
+        QT_TRANSLATE_NOOP("Command", "Star &Pieces"),
+        QT_TRANSLATE_NOOP("Command", "Show the star pieces in the frames"),
+        ("Ctrl+1",),
+        "",
+        True,
+    ),
+    Command(
+        "skeleton",
+        QT_TRANSLATE_NOOP("Command", "S&keleton"),
+        QT_TRANSLATE_NOOP("Command", "Show the skeleton in the frames"),
+        ("Ctrl+2",),
+        "",
+        True,
+    ),
+    Command(
+        "light",
+        QT_TRANSLATE_NOOP("Command", "&Light"),
+        QT_TRANSLATE_NOOP("Command", "Dark writing on light ground"),
+        (),
+        "theme",
+        True,
+    ),
+    Command(
+        "dark",
+        QT_TRANSLATE_NOOP("Command", "&Dark"),
+        QT_TRANSLATE_NOOP("Command", "Light writing on dark ground"),
+        (),
+        "theme",
+        True,
+    ),
+    Command(
+        "play", QT_TRANSLATE_NOOP("Command", "&Play"), QT_TRANSLATE_NOOP("Command", "Play or pause"), ("P",)
+    ),
+    Command(
+        "to-start",
+        QT_TRANSLATE_NOOP("Command", "Go to &Source"),
+        QT_TRANSLATE_NOOP("Command", "Show the source, t = 0"),
+        ("Home",),
+    ),
+    Command(
+        "to-end",
+        QT_TRANSLATE_NOOP("Command", "Go to &Target"),
+        QT_TRANSLATE_NOOP("Command", "Show the target, t = 1"),
+        ("End",),
+    ),
+    Command(
+        "recompute",
+        QT_TRANSLATE_NOOP("Command", "&Compute Again"),
+        QT_TRANSLATE_NOOP("Command", "Compute all blends anew"),
+        ("F5",),
+    ),
+)
+
+MENUS = (
+    (
+        QT_TRANSLATE_NOOP("Command", "&File"),
+        ("new", "open", "examples", "", "save", "save-as", "", "export", "", "quit"),
+    ),
+    (QT_TRANSLATE_NOOP("Command", "&Edit"), ("undo", "redo", "", "select-all", "delete", "", "cancel")),
+    (QT_TRANSLATE_NOOP("Command", "&Tools"), ("select", "draw", "mark")),
+    (QT_TRANSLATE_NOOP("Command", "&Blend"), ("play", "to-start", "to-end", "", "methods", "", "recompute")),
+    (
+        QT_TRANSLATE_NOOP("Command", "&View"),
+        ("fit", "zoom-in", "zoom-out", "", "pieces", "skeleton", "", "light", "dark"),
+    ),
+)
+"""Menus in order; an empty name is a separator, and names that are no commands are submenus."""
+
+TOOLBAR = (
+    *("open", "save", "", "select", "draw", "mark", "", "undo", "redo", ""),
+    *("fit", "pieces", "skeleton", "", "export"),
+)

@@ -1,0 +1,59 @@
+"""Arrays of points as what Qt paints."""
+
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+import shiboken6
+from PySide6.QtCore import QLineF, QPointF, Qt
+from PySide6.QtGui import QColor, QPainterPath, QPen, QPolygonF
+
+from starskel.predicates import Floats
+
+_Memory: Any = shiboken6.VoidPtr  # its type information knows only the form without a size
+
+
+def polygon_of(points: Floats) -> QPolygonF:
+    """Give an (n, 2) array as a Qt polygon, by one copy into its buffer instead of n calls."""
+    polygon = QPolygonF()
+    if not len(points):
+        return polygon
+    polygon.resize(len(points))
+    # data() is the address of the first point; a polygon keeps its points as pairs of doubles
+    memory = _Memory(polygon.data(), 16 * len(points), True)
+    np.frombuffer(memory, dtype=np.float64).reshape(-1, 2)[:] = points
+    return polygon
+
+
+def path_of(rings: Iterable[Floats]) -> QPainterPath:
+    """Give closed rings as one path, filled by the winding rule so that overlaps do not open holes."""
+    path = QPainterPath()
+    path.setFillRule(Qt.FillRule.WindingFill)
+    for ring in rings:
+        path.addPolygon(polygon_of(ring))
+        path.closeSubpath()
+    return path
+
+
+def point_of(row: Floats) -> QPointF:
+    """Give one row of an array as a Qt point."""
+    return QPointF(float(row[0]), float(row[1]))
+
+
+def lines_of(starts: Floats, ends: Floats) -> list[QLineF]:
+    """Give segments as Qt lines."""
+    return [QLineF(*a, *b) for a, b in zip(starts.tolist(), ends.tolist(), strict=True)]
+
+
+def pen(colour: QColor | str, width: float = 1.0, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
+    """Give a round pen that keeps its width at any zoom."""
+    made = QPen(QColor(colour), width, style, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin)
+    made.setCosmetic(True)
+    return made
+
+
+def faded(colour: QColor | str, alpha: float) -> QColor:
+    """Give a colour that lets through what is behind it."""
+    result = QColor(colour)
+    result.setAlphaF(alpha)
+    return result

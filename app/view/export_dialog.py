@@ -1,0 +1,106 @@
+"""What to export: a row of keyframes, one frame, pages, or a sheet of all methods."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Slot
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QDoubleSpinBox,
+    QFormLayout,
+    QLabel,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.export import ENDINGS, Choice, Layout
+from app.view import words
+from app.view.display import Display
+
+_LAYOUTS: tuple[tuple[Layout, object], ...] = (
+    ("row", QT_TRANSLATE_NOOP("ExportDialog", "Keyframes in a row")),
+    ("frame", QT_TRANSLATE_NOOP("ExportDialog", "One frame")),
+    ("pages", QT_TRANSLATE_NOOP("ExportDialog", "A page for each keyframe")),
+    ("sheet", QT_TRANSLATE_NOOP("ExportDialog", "All methods side by side")),
+)
+
+
+class ExportDialog(QDialog):
+    """Asks for a `Choice`; fields that do not matter for the layout are greyed out."""
+
+    def __init__(
+        self, methods: Sequence[str], t: float, display: Display, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Export keyframes"))
+        self._layout_field = QComboBox()
+        for layout, text in _LAYOUTS:
+            self._layout_field.addItem(QCoreApplication.translate("ExportDialog", str(text)), layout)
+        self._method = QComboBox()
+        for method in methods:
+            self._method.addItem(words.method(method), method)
+        self._frames = QSpinBox()
+        self._frames.setRange(2, 240)
+        self._frames.setValue(6)
+        self._t = QDoubleSpinBox()
+        self._t.setRange(0, 1)
+        self._t.setSingleStep(0.01)
+        self._t.setValue(t)
+        self._marks = QCheckBox(self.tr("Marks"))
+        self._pieces = QCheckBox(self.tr("Star pieces"))
+        self._pieces.setChecked(display.pieces)
+        self._skeleton = QCheckBox(self.tr("Skeleton"))
+        self._skeleton.setChecked(display.skeleton)
+        self._formats = QLabel()
+        self._arrange()
+        self._layout_field.currentIndexChanged.connect(self._follow)
+        self._follow()
+
+    @property
+    def choice(self) -> Choice:
+        """What was chosen."""
+        return Choice(
+            self._layout_field.currentData(),
+            self._method.currentData(),
+            self._frames.value(),
+            self._t.value(),
+            self._marks.isChecked(),
+            self._pieces.isChecked(),
+            self._skeleton.isChecked(),
+        )
+
+    def _arrange(self) -> None:
+        form = QFormLayout()
+        for label, field in (
+            (self.tr("&What"), self._layout_field),
+            (self.tr("&Method"), self._method),
+            (self.tr("&Keyframes"), self._frames),
+            (self.tr("&Time t"), self._t),
+            (self.tr("Show"), self._marks),
+            ("", self._pieces),
+            ("", self._skeleton),
+            (self.tr("Formats"), self._formats),
+        ):
+            form.addRow(label, field)
+            field.setAccessibleName(label.replace("&", "") or field.accessibleName())
+        for box in (self._marks, self._pieces, self._skeleton):
+            box.setAccessibleName(box.text())
+        kind = QDialogButtonBox.StandardButton
+        buttons = QDialogButtonBox(kind.Save | kind.Cancel)
+        buttons.button(kind.Save).setText(self.tr("&Export…"))
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.addLayout(form)
+        layout.addWidget(buttons)
+
+    @Slot()
+    def _follow(self) -> None:
+        layout: Layout = self._layout_field.currentData()
+        self._method.setEnabled(layout != "sheet")
+        self._frames.setEnabled(layout != "frame")
+        self._t.setEnabled(layout == "frame")
+        self._formats.setText(", ".join(ending[1:].upper() for ending in ENDINGS[layout]))

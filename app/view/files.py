@@ -1,0 +1,129 @@
+"""Files from the user's side: new, open, save, export, and no change lost on the way."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Slot
+from PySide6.QtWidgets import QDialog, QMainWindow
+
+from app.export import ENDINGS, write
+from app.session import Session
+from app.view.dialogs import (
+    PROJECT_ENDING,
+    Answer,
+    PairDialog,
+    ask_about_changes,
+    complain,
+    path_to_open,
+    path_to_save,
+)
+from app.view.display import Display
+from app.view.export_dialog import ExportDialog
+from app.view.player import Player
+from starskel.errors import StarskelError
+from starskel.files import pairs
+from starskel.files.documents import format_of
+from starskel.files.examples import example
+from starskel.files.pairs import read_pairs
+from starskel.files.project import Project
+
+
+class Files(QObject):
+    """The commands of the file menu."""
+
+    def __init__(self, window: QMainWindow, session: Session, player: Player, display: Display) -> None:
+        super().__init__(window)
+        self._window = window
+        self._session = session
+        self._player = player
+        self._display = display
+
+    @property
+    def name(self) -> str:
+        """What the window's title calls the document."""
+        if self._session.path is not None:
+            return self._session.path.stem
+        return self._session.document.name or self.tr("Untitled")
+
+    def may_go(self) -> bool:
+        """Ask about unsaved changes; False where the user would rather stay."""
+        if not self._session.unsaved:
+            return True
+        answer = ask_about_changes(self._window, self.name)
+        return self.save() if answer is Answer.SAVE else answer is Answer.DISCARD
+
+    @Slot()
+    def new(self) -> None:
+        if self.may_go():
+            self._session.new()
+
+    @Slot()
+    def choose(self) -> None:
+        """Ask for a file and open it."""
+        if self.may_go() and (path := path_to_open(self._window)) is not None:
+            self.open(path)
+
+    def open(self, path: Path) -> None:
+        """Open a project, or a pair of a file of pairs; where that fails, what is open stays."""
+        try:
+            if format_of(path) == pairs.FORMAT:
+                self._open_pair(path)
+            else:
+                self._session.open(path)
+        except StarskelError as error:
+            complain(self._window, self.tr("{name} cannot be opened").format(name=path.name), error)
+
+    def open_example(self, name: str) -> None:
+        if self.may_go():
+            self._session.show_project(example(name))
+
+    @Slot()
+    def save(self) -> bool:
+        """Save to the project's file; True where that was done."""
+        if self._session.path is None:
+            return self.save_as()
+        return self._save(self._session.path)
+
+    @Slot()
+    def save_as(self) -> bool:
+        """Ask for a file and save; True where that was done."""
+        suggested = f"{self.name}{PROJECT_ENDING}"
+        path = path_to_save(self._window, self.tr("Save project"), suggested, [PROJECT_ENDING])
+        return path is not None and self._save(path)
+
+    @Slot()
+    def export(self) -> None:
+        """Ask what to export and where, and write it."""
+        results = self._session.fresh_results
+        dialog = ExportDialog([r.method for r in results], self._player.t, self._display, self._window)
+        if dialog.exec() != QDialog.DialogCode.Accepted:
+            return
+        choice = dialog.choice
+        title, endings = self.tr("Export"), ENDINGS[choice.layout]
+        path = path_to_save(self._window, title, f"{self.name}{endings[0]}", endings)
+        if path is None:
+            return
+        try:
+            write(path, self.name, choice, results)
+        except StarskelError as error:
+            complain(self._window, self.tr("{name} was not written").format(name=path.name), error)
+        else:
+            self._window.statusBar().showMessage(self.tr("Exported to {path}").format(path=path), 8000)
+
+    def _open_pair(self, path: Path) -> None:
+        file = read_pairs(path)
+        chosen: str | None = file.ids[0]
+        if len(file.ids) > 1:
+            dialog = PairDialog(file.ids, self._window)
+            accepted = dialog.exec() == QDialog.DialogCode.Accepted
+            chosen = dialog.chosen if accepted else None
+        if chosen is not None:
+            pair = file.pair(chosen)
+            self._session.show_project(Project(pair.id, pair.source, pair.target, pair.marks))
+
+    def _save(self, path: Path) -> bool:
+        try:
+            self._session.save(path)
+        except StarskelError as error:
+            complain(self._window, self.tr("{name} was not saved").format(name=path.name), error)
+            return False
+        return True

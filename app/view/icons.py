@@ -1,0 +1,108 @@
+"""Icons drawn as strokes in the colour of the writing: they follow the theme and stay sharp."""
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QIcon, QPainter, QPainterPath, QPalette, QPen, QPixmap, QPolygonF
+
+SIZE = 24
+"""The drawings below are made in a box of so many units, y down."""
+
+_LINES: dict[str, tuple[tuple[tuple[float, float], ...], ...]] = {
+    "new": (((6, 3), (14, 3), (19, 8), (19, 21), (6, 21), (6, 3)), ((14, 3), (14, 8), (19, 8))),
+    "open": (
+        ((3, 19), (3, 5), (9, 5), (11, 8), (20, 8), (20, 11)),
+        ((3, 19), (7, 11), (22, 11), (18, 19), (3, 19)),
+    ),
+    "save": (
+        ((4, 4), (17, 4), (20, 7), (20, 20), (4, 20), (4, 4)),
+        ((8, 4), (8, 9), (15, 9), (15, 4)),
+        ((7, 20), (7, 13), (17, 13), (17, 20)),
+    ),
+    "undo": (
+        ((8, 4), (3, 9), (8, 14)),
+        ((3, 9), (14, 9), (18, 10.5), (20, 14), (18, 17.5), (14, 19), (9, 19)),
+    ),
+    "redo": (
+        ((16, 4), (21, 9), (16, 14)),
+        ((21, 9), (10, 9), (6, 10.5), (4, 14), (6, 17.5), (10, 19), (15, 19)),
+    ),
+    "select": (((6, 3), (6, 18), (10, 14.2), (13, 21), (15.6, 19.8), (12.7, 13.2), (18, 13), (6, 3)),),
+    "draw": (((4, 17), (8, 5), (19, 8), (16, 19), (4, 17)),),
+    "mark": (
+        ((7, 20), (7, 12)),
+        ((17, 20), (17, 12)),
+        ((4, 5), (10, 5), (10, 11), (7, 13), (4, 11), (4, 5)),
+        ((14, 5), (20, 5), (20, 11), (17, 13), (14, 11), (14, 5)),
+    ),
+    "fit": (
+        ((4, 9), (4, 4), (9, 4)),
+        ((15, 4), (20, 4), (20, 9)),
+        ((20, 15), (20, 20), (15, 20)),
+        ((9, 20), (4, 20), (4, 15)),
+        ((9, 9), (15, 9), (15, 15), (9, 15), (9, 9)),
+    ),
+    "pieces": (
+        ((3, 8), (12, 3), (21, 9), (18, 20), (6, 20), (3, 8)),
+        ((12, 3), (10, 20)),
+        ((11, 11), (21, 9)),
+    ),
+    "skeleton": (((4, 19), (9, 12), (15, 12), (20, 5)), ((9, 12), (6, 5)), ((15, 12), (19, 19))),
+    "export": (
+        ((12, 3), (12, 15)),
+        ((7.5, 7.5), (12, 3), (16.5, 7.5)),
+        ((4, 13), (4, 20), (20, 20), (20, 13)),
+    ),
+}
+
+_DOTS: dict[str, tuple[tuple[float, float], ...]] = {
+    "draw": ((4, 17), (8, 5), (19, 8), (16, 19)),
+    "skeleton": ((4, 19), (9, 12), (15, 12), (20, 5), (6, 5), (19, 19)),
+}
+
+_SOLID: dict[str, tuple[tuple[tuple[float, float], ...], ...]] = {
+    "play": (((6, 3.5), (20, 12), (6, 20.5)),),
+    "pause": (((6, 4), (10, 4), (10, 20), (6, 20)), ((14, 4), (18, 4), (18, 20), (14, 20))),
+    "to-start": (((4, 4), (7, 4), (7, 20), (4, 20)), ((20, 4), (20, 20), (8.5, 12))),
+    "to-end": (((17, 4), (20, 4), (20, 20), (17, 20)), ((4, 4), (4, 20), (15.5, 12))),
+}
+
+
+def icon(name: str, palette: QPalette) -> QIcon:
+    """Give an icon in the palette's colours, an empty one where none is drawn for the name."""
+    result = QIcon()
+    if name not in _LINES and name not in _SOLID:
+        return result
+    for mode, group in (
+        (QIcon.Mode.Normal, QPalette.ColorGroup.Active),
+        (QIcon.Mode.Disabled, QPalette.ColorGroup.Disabled),
+    ):
+        colour = palette.color(group, QPalette.ColorRole.ButtonText)
+        for ratio in (1.0, 2.0):
+            result.addPixmap(_pixmap(name, colour, ratio), mode)
+    return result
+
+
+def _pixmap(name: str, colour: QColor, ratio: float) -> QPixmap:
+    pixmap = QPixmap(round(SIZE * ratio), round(SIZE * ratio))
+    pixmap.setDevicePixelRatio(ratio)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    _paint(painter, name, colour)
+    painter.end()
+    return pixmap
+
+
+def _paint(painter: QPainter, name: str, colour: QColor) -> None:
+    painter.setPen(
+        QPen(colour, 1.6, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin)
+    )
+    for line in _LINES.get(name, ()):
+        painter.drawPolyline(QPolygonF([QPointF(x, y) for x, y in line]))
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(colour)
+    for x, y in _DOTS.get(name, ()):
+        painter.drawEllipse(QRectF(x - 2.2, y - 2.2, 4.4, 4.4))
+    for ring in _SOLID.get(name, ()):
+        path = QPainterPath()
+        path.addPolygon(QPolygonF([QPointF(x, y) for x, y in ring]))
+        painter.drawPath(path)

@@ -1,0 +1,257 @@
+"""The main window: canvases above, methods side by side, timeline and status below."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QEvent, QSize, Qt, Slot
+from PySide6.QtGui import QAction, QCloseEvent
+from PySide6.QtWidgets import QApplication, QMainWindow, QMenu, QSplitter, QToolBar, QVBoxLayout, QWidget
+
+from app.model.marks import SIDES, Side
+from app.session import Session
+from app.tools.tool import Key
+from app.view import words
+from app.view.actions import Actions, say
+from app.view.canvas import NOTCH, Canvas
+from app.view.commands import MENUS, TOOLBAR
+from app.view.display import Display
+from app.view.files import Files
+from app.view.icons import icon
+from app.view.panels import Panels
+from app.view.player import Player
+from app.view.status import Status
+from app.view.theme import DARK, LIGHT, Theme, apply_theme, theme_of
+from app.view.timeline import Timeline
+from starskel import METHODS
+from starskel.files.examples import example, example_names
+
+
+class MainWindow(QMainWindow):
+    """One window for one document."""
+
+    def __init__(self, session: Session) -> None:
+        super().__init__()
+        self.session = session
+        self.player = Player(self)
+        self.display = Display(self)
+        self.files = Files(self, session, self.player, self.display)
+        self.actions_table = Actions(self, self._handlers())
+        self.canvases: dict[Side, Canvas] = {side: Canvas(session, side) for side in SIDES}
+        self.panels = Panels(session, self.player, self.display)
+        self.timeline = Timeline(session, self.player, self.actions_table)
+        self._menus: dict[str, QMenu] = {}
+        self._fill_menus()
+        self._fill_toolbar()
+        self.setCentralWidget(self._body())
+        self.setStatusBar(Status(session, self.actions_table))
+        self.resize(1280, 860)
+        session.document_changed.connect(self._follow)
+        session.changed.connect(self._follow_selection)
+        session.tool_changed.connect(self._follow_tool)
+        session.results_changed.connect(self._follow_results)
+        self.player.state_changed.connect(self._follow_player)
+        for follow in (self._follow, self._follow_tool, self._follow_results, self._dress):
+            follow()
+
+    # layout
+
+    def _body(self) -> QWidget:
+        canvases = QSplitter(Qt.Orientation.Horizontal)
+        for canvas in self.canvases.values():
+            canvases.addWidget(canvas)
+        parts = QSplitter(Qt.Orientation.Vertical)
+        parts.addWidget(canvases)
+        parts.addWidget(self.panels)
+        parts.setSizes([420, 260])
+        parts.setChildrenCollapsible(False)
+        body = QWidget()
+        layout = QVBoxLayout(body)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(parts, 1)
+        layout.addWidget(self.timeline)
+        return body
+
+    def _fill_menus(self) -> None:
+        submenus = {"examples": self._examples_menu, "methods": self._methods_menu}
+        for title, names in MENUS:
+            menu = self.menuBar().addMenu(say(title))
+            for name in names:
+                if not name:
+                    menu.addSeparator()
+                elif name in submenus:
+                    menu.addMenu(submenus[name]())
+                else:
+                    menu.addAction(self.actions_table[name])
+
+    def _examples_menu(self) -> QMenu:
+        menu = QMenu(self.tr("E&xamples"), self)
+        for name in example_names():
+            action = menu.addAction(example(name).name)
+            action.setData(name)
+        menu.triggered.connect(self._open_example)
+        return menu
+
+    def _methods_menu(self) -> QMenu:
+        menu = QMenu(self.tr("&Methods Shown"), self)
+        for method in METHODS[::-1]:
+            action = menu.addAction(words.method(method))
+            action.setCheckable(True)
+            action.setData(method)
+        menu.triggered.connect(self._compare)
+        self._menus["methods"] = menu
+        return menu
+
+    def _fill_toolbar(self) -> None:
+        bar = QToolBar(self.tr("Tools"))
+        bar.setObjectName("toolbar")
+        bar.setMovable(False)
+        bar.setIconSize(QSize(20, 20))
+        bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        for name in TOOLBAR:
+            if name:
+                bar.addAction(self.actions_table[name])
+            else:
+                bar.addSeparator()
+        self.addToolBar(bar)
+
+    # commands
+
+    def _handlers(self) -> dict[str, Callable[[], object]]:
+        session, player, files = self.session, self.player, self.files
+        return {
+            "new": files.new,
+            "open": files.choose,
+            "save": files.save,
+            "save-as": files.save_as,
+            "export": files.export,
+            "quit": self.close,
+            "undo": session.undo,
+            "redo": session.redo,
+            "select-all": self._select_all,
+            "delete": self._delete,
+            "cancel": session.cancel,
+            "select": self._choose_tool,
+            "draw": self._choose_tool,
+            "mark": self._choose_tool,
+            "fit": self._fit,
+            "zoom-in": self._zoom_in,
+            "zoom-out": self._zoom_out,
+            "pieces": self._switch_display,
+            "skeleton": self._switch_display,
+            "light": self._choose_theme,
+            "dark": self._choose_theme,
+            "play": player.toggle,
+            "to-start": player.to_start,
+            "to-end": player.to_end,
+            "recompute": session.recompute,
+        }
+
+    @Slot()
+    def _choose_tool(self) -> None:
+        self.session.choose_tool(self.sender().objectName())
+
+    @Slot()
+    def _select_all(self) -> None:
+        self.session.select_all(self.session.selection.side)
+
+    @Slot()
+    def _delete(self) -> None:
+        self.session.key(Key("delete"))
+
+    @Slot()
+    def _fit(self) -> None:
+        for canvas in self.canvases.values():
+            canvas.fit()
+
+    @Slot()
+    def _zoom_in(self) -> None:
+        for canvas in self.canvases.values():
+            canvas.zoom(NOTCH)
+
+    @Slot()
+    def _zoom_out(self) -> None:
+        for canvas in self.canvases.values():
+            canvas.zoom(1 / NOTCH)
+
+    @Slot()
+    def _switch_display(self) -> None:
+        self.display.show(
+            pieces=self.actions_table["pieces"].isChecked(),
+            skeleton=self.actions_table["skeleton"].isChecked(),
+        )
+
+    @Slot()
+    def _choose_theme(self) -> None:
+        self._apply(DARK if self.actions_table["dark"].isChecked() else LIGHT)
+
+    @Slot(QAction)
+    def _open_example(self, action: QAction) -> None:
+        self.files.open_example(action.data())
+
+    @Slot(QAction)
+    def _compare(self, action: QAction) -> None:
+        chosen = [each.data() for each in self._menus["methods"].actions() if each.isChecked()]
+        self.session.compare(tuple(chosen or [action.data()]))
+
+    # what the window shows of the session's state
+
+    @Slot()
+    def _follow(self) -> None:
+        session, actions = self.session, self.actions_table
+        self.setWindowTitle(f"{self.files.name}[*] - starskel")
+        self.setWindowModified(session.unsaved)
+        for name, label, edit in (
+            ("undo", self.tr("&Undo"), session.undoes),
+            ("redo", self.tr("&Redo"), session.redoes),
+        ):
+            actions[name].setEnabled(edit is not None or session.tool.busy)
+            actions[name].setText(f"{label} {words.step(edit)}" if edit else label)
+            actions[name].setIconText(label.replace("&", ""))
+        for action in self._menus["methods"].actions():
+            action.setChecked(action.data() in session.document.methods)
+
+    @Slot()
+    def _follow_selection(self) -> None:
+        self.actions_table["delete"].setEnabled(bool(self.session.selection) or self.session.tool.busy)
+
+    @Slot()
+    def _follow_tool(self) -> None:
+        self.actions_table[self.session.tool.name].setChecked(True)
+        self._follow()
+
+    @Slot()
+    def _follow_results(self) -> None:
+        self.actions_table["export"].setEnabled(bool(self.session.fresh_results))
+
+    @Slot()
+    def _follow_player(self) -> None:
+        playing = self.player.playing
+        action = self.actions_table["play"]
+        action.setText(self.tr("&Pause") if playing else self.tr("&Play"))
+        action.setIcon(icon("pause" if playing else "play", self.palette()))
+
+    # theme and end
+
+    def _apply(self, theme: Theme) -> None:
+        application = QApplication.instance()
+        assert isinstance(application, QApplication)
+        apply_theme(application, theme)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._dress()
+
+    def _dress(self) -> None:
+        self.actions_table.dress(self.palette())
+        self.actions_table[theme_of(self.palette()).name].setChecked(True)
+        self._follow_player()
+        self.panels.follow()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        if self.files.may_go():
+            self.player.pause()
+            self.session.close()
+            event.accept()
+        else:
+            event.ignore()

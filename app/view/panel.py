@@ -1,0 +1,128 @@
+"""A method's panel: its name, its verdict, its frame at t."""
+
+import numpy as np
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette, QResizeEvent
+from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
+
+from app.compute import MethodState
+from app.session import Session
+from app.view import verdicts, words
+from app.view.camera import Camera
+from app.view.display import Display
+from app.view.frame_painter import FramePainter
+from app.view.player import Player
+from app.view.theme import theme_of
+from starskel.predicates import Floats
+
+
+class FrameView(QWidget):
+    """Shows the frame of one blend at the player's t."""
+
+    def __init__(self, player: Player, display: Display, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._player = player
+        self._display = display
+        self._state = MethodState()
+        self._message = ""
+        self._extent: Floats = np.empty((0, 2))
+        self._camera = Camera()
+        self.setMinimumSize(120, 90)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        player.t_changed.connect(self.update)
+        display.changed.connect(self.update)
+
+    def show_blend(self, state: MethodState, extent: Floats, message: str) -> None:
+        """Show another blend; the extent is what must fit in, the message is for when there is none."""
+        self._state, self._extent, self._message = state, extent, message
+        self._aim()
+        self.update()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._aim()
+
+    def _aim(self) -> None:
+        self._camera = Camera().resized(self.width(), self.height()).fitting(self._extent, margin=0.07)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        try:
+            self._paint(painter)
+        finally:
+            painter.end()  # a painter left open after an exception crashes the program later
+
+    def _paint(self, painter: QPainter) -> None:
+        theme = theme_of(self.palette())
+        painter.fillRect(self.rect(), QColor(theme.base))
+        result = self._state.result
+        if result is not None:
+            t = self._player.t
+            FramePainter(painter, theme, self._camera, self._display).paint(
+                result.blend, t, crosses=verdicts.crosses_at(result.report, t), stale=self._state.stale
+            )
+        if self._message:
+            painter.setPen(QColor(theme.muted))
+            frame = QRectF(self.rect()).adjusted(14, 10, -14, -10)
+            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.drawText(frame, flags, self._message)
+
+
+class Panel(QWidget):
+    """One of the methods side by side."""
+
+    def __init__(self, method: str, session: Session, player: Player, display: Display) -> None:
+        super().__init__()
+        self.method = method
+        self._session = session
+        self.setObjectName(f"{method}-panel")
+        self.setAccessibleName(words.method(method))
+        self._name = QLabel(words.method(method))
+        font = self._name.font()
+        font.setBold(True)
+        self._name.setFont(font)
+        self.verdict = QLabel()
+        self.verdict.setObjectName(f"{method}-verdict")
+        self.verdict.setAccessibleName(self.tr("Verdict on {method}").format(method=words.method(method)))
+        self.view = FrameView(player, display)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(2)
+        layout.addWidget(self._name)
+        layout.addWidget(self.verdict)
+        layout.addWidget(self.view, 1)
+
+    def follow(self, extent: Floats) -> None:
+        """Show what the session has of this method, in the view that all panels share."""
+        state = self._session.results.get(self.method, MethodState())
+        text, colour = self._verdict(state)
+        self.verdict.setText(text)
+        self.verdict.setToolTip(self._tip(state))
+        palette = QPalette(self.palette())
+        palette.setColor(QPalette.ColorRole.WindowText, QColor(colour))
+        self.verdict.setPalette(palette)
+        self.view.show_blend(state, extent, self._message(state))
+
+    def _verdict(self, state: MethodState) -> tuple[str, str]:
+        """Give the verdict and its colour; a glyph says the same as the colour."""
+        theme = theme_of(self.palette())
+        if state.error is not None:
+            return "✕ " + self.tr("no blend"), theme.refused
+        if state.result is None:
+            return (self.tr("computing…") if self._session.busy else ""), theme.muted
+        text = verdicts.summary(state.result.report)
+        if state.stale:
+            return "… " + self.tr("{verdict} (out of date)").format(verdict=text), theme.muted
+        return ("✓ " + text, theme.simple) if state.result.report.simple else ("✕ " + text, theme.refused)
+
+    def _tip(self, state: MethodState) -> str:
+        if state.error is not None:
+            return words.reason(state.error, self._session.document)
+        return verdicts.details(state.result.report) if state.result is not None else ""
+
+    def _message(self, state: MethodState) -> str:
+        if state.error is not None:
+            return words.reason(state.error, self._session.document)
+        document = self._session.document
+        if state.result is None and (document.source is None or document.target is None):
+            return self.tr("The in-between shapes appear here as soon as there are a source and a target.")
+        return ""

@@ -1,0 +1,96 @@
+"""Player: the clock that moves t; whoever shows a moment listens to it."""
+
+from time import monotonic
+
+from PySide6.QtCore import QObject, Qt, QTimer, Signal, Slot
+
+from app.playback import Playback, Repeat
+
+TICK = 16
+"""Milliseconds between frames; t comes from the clock, so a late tick leaves out frames and slows nothing."""
+
+
+class Player(QObject):
+    """Holds the playback state and reports every new t."""
+
+    t_changed = Signal(float)
+    state_changed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._playback = Playback()
+        self._timer = QTimer(self)
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.setInterval(TICK)
+        self._timer.timeout.connect(self._tick)
+
+    @property
+    def t(self) -> float:
+        """The moment that is shown."""
+        return self._playback.t(monotonic())
+
+    @property
+    def playing(self) -> bool:
+        """Whether time runs."""
+        return self._playback.playing
+
+    @property
+    def repeat(self) -> Repeat:
+        """What happens at the end."""
+        return self._playback.repeat
+
+    @property
+    def speed(self) -> float:
+        """How many times faster than usual."""
+        return self._playback.speed
+
+    @Slot()
+    def toggle(self) -> None:
+        """Play or pause."""
+        if self.playing:
+            self._become(self._playback.pause(monotonic()))
+        else:
+            self._become(self._playback.play(monotonic()))
+
+    def play(self) -> None:
+        if not self.playing:
+            self.toggle()
+
+    def pause(self) -> None:
+        if self.playing:
+            self.toggle()
+
+    def seek(self, t: float) -> None:
+        """Show this moment; a running clock runs on from there."""
+        self._become(self._playback.seek(t, monotonic()))
+
+    @Slot()
+    def to_start(self) -> None:
+        self.seek(0.0)
+
+    @Slot()
+    def to_end(self) -> None:
+        self.seek(1.0)
+
+    def set_repeat(self, repeat: Repeat) -> None:
+        self._become(self._playback.repeating(repeat, monotonic()))
+
+    def set_speed(self, speed: float) -> None:
+        self._become(self._playback.at_speed(speed, monotonic()))
+
+    def _become(self, playback: Playback) -> None:
+        self._playback = playback
+        if playback.playing:
+            self._timer.start()
+        else:
+            self._timer.stop()
+        self.state_changed.emit()
+        self.t_changed.emit(self.t)
+
+    @Slot()
+    def _tick(self) -> None:
+        now = monotonic()
+        if self._playback.ended(now):
+            self._become(self._playback.pause(now))
+        else:
+            self.t_changed.emit(self._playback.t(now))

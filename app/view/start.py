@@ -1,0 +1,66 @@
+"""Start: the program, its window, and what is open in it first."""
+
+import sys
+import traceback
+from pathlib import Path
+from types import TracebackType
+
+from PySide6.QtCore import QObject, Qt, Signal, Slot
+from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
+
+from app.session import Session
+from app.view.main_window import MainWindow
+from app.view.theme import DARK, LIGHT, apply_theme
+from starskel import METHODS
+from starskel.files.examples import example
+
+FIRST_EXAMPLE = "arm"
+
+
+class Faults(QObject):
+    """Takes in exceptions that nothing caught, from any thread; else Qt would print and forget them."""
+
+    _came = Signal(str)
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window)
+        self._window = window
+        self._shown = False
+        self._came.connect(self._show, Qt.ConnectionType.QueuedConnection)
+
+    def take(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+        """Print an exception and show it; to be used as `sys.excepthook`."""
+        text = "".join(traceback.format_exception(kind, error, trace))
+        sys.stderr.write(text)
+        if issubclass(kind, Exception):
+            self._came.emit(text)
+
+    @Slot(str)
+    def _show(self, text: str) -> None:
+        if self._shown:
+            return  # one message is enough where the same fault comes with every frame
+        self._shown = True
+        box = QMessageBox(self._window)
+        box.setIcon(QMessageBox.Icon.Critical)
+        box.setWindowTitle(self.tr("A fault in the program"))
+        box.setText(self.tr("Something went wrong inside the program. Your document is still here: save it."))
+        box.setDetailedText(text)
+        box.exec()
+        self._shown = False
+
+
+def run(path: Path | None) -> int:
+    """Open the window with a file, or with the first example playing, until it is closed."""
+    application = QApplication(sys.argv[:1])
+    application.setApplicationName("starskel")
+    scheme = application.styleHints().colorScheme()
+    apply_theme(application, DARK if scheme == Qt.ColorScheme.Dark else LIGHT)
+    window = MainWindow(Session(METHODS[::-1]))
+    sys.excepthook = Faults(window).take
+    window.show()
+    if path is not None:
+        window.files.open(path)
+    else:
+        window.session.show_project(example(FIRST_EXAMPLE))
+        window.player.play()
+    return application.exec()

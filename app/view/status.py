@@ -1,0 +1,61 @@
+"""Status bar: what the user can do now, what the worker does, and a way to stop it."""
+
+from PySide6.QtCore import Slot
+from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar, QToolButton
+
+from app.session import Session
+from app.view import words
+from app.view.actions import Actions
+
+
+class Status(QStatusBar):
+    """Shows the tool's hint on the left, the worker's progress on the right."""
+
+    def __init__(self, session: Session, actions: Actions) -> None:
+        super().__init__()
+        self._session = session
+        self.hint = QLabel()
+        self.hint.setObjectName("hint")
+        self.work = QLabel()
+        self.work.setObjectName("work")
+        self.work.setAccessibleName(self.tr("What is being computed"))
+        self.progress = QProgressBar()
+        self.progress.setAccessibleName(self.tr("Progress"))
+        self.progress.setRange(0, 100)
+        self.progress.setFixedWidth(140)
+        self.progress.setMaximumHeight(14)
+        self.progress.setTextVisible(False)
+        self.stop = QToolButton()
+        self.stop.setDefaultAction(actions["cancel"])
+        self.stop.setAccessibleName(self.tr("Cancel"))
+        self.setSizeGripEnabled(False)
+        self.addWidget(self.hint, 1)
+        for widget in (self.work, self.progress, self.stop):
+            self.addPermanentWidget(widget)
+        session.tool_changed.connect(self._show_hint)
+        session.progressed.connect(self._show_progress)
+        session.busy_changed.connect(self._show_busy)
+        self._show_hint()
+        self._show_busy(session.busy)
+
+    @Slot()
+    def _show_hint(self) -> None:
+        self.hint.setText(words.hint(self._session.tool.hint))
+
+    @Slot(str, float)
+    def _show_progress(self, method: str, fraction: float) -> None:
+        self.work.setText(self.tr("Computing {method}…").format(method=words.method(method)))
+        self.progress.setValue(round(100 * fraction))
+
+    @Slot(bool)
+    def _show_busy(self, busy: bool) -> None:
+        self.progress.setVisible(busy)
+        self.stop.setVisible(busy)
+        if not busy:
+            self.work.setText(self._outcome())
+
+    def _outcome(self) -> str:
+        states = self._session.results.values()
+        if any(state.stale and state.error is None for state in states) and self._session.document.source:
+            return self.tr("Cancelled; F5 computes again") if self._session.document.target else ""
+        return ""

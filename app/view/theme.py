@@ -1,0 +1,137 @@
+"""Colours by role, light and dark.
+
+Each colour that carries a meaning has a second sign beside it (a label, a glyph, a dash pattern), so that
+nothing is told by colour alone.
+"""
+
+from dataclasses import dataclass
+
+from PySide6.QtGui import QColor, QPalette
+from PySide6.QtWidgets import QApplication
+
+from app.model.marks import Side
+
+
+@dataclass(frozen=True)
+class Theme:
+    """A set of colours as "#rrggbb".
+
+    Attributes
+    ----------
+    window, base, button, edge : str
+        Grounds: of the window, of canvases and fields, of controls; and the thin lines between them.
+    text, muted : str
+        Writing, and writing that may be overlooked.
+    accent, on_accent : str
+        What is selected or under the pointer, and writing on it.
+    source, target : str
+        The two shapes.
+    refused, simple : str
+        What does not go, and what is in order.
+    pins, pieces, methods : tuples of str
+        Colours that follow each other: of marks (with white writing on them), star pieces and method curves.
+    """
+
+    name: str
+    window: str
+    base: str
+    button: str
+    edge: str
+    text: str
+    muted: str
+    accent: str
+    on_accent: str
+    source: str
+    target: str
+    refused: str
+    simple: str
+    pins: tuple[str, ...]
+    pieces: tuple[str, ...]
+    methods: tuple[str, ...]
+
+    def side(self, side: Side) -> QColor:
+        """Give the colour of a shape."""
+        return QColor(self.source if side == "source" else self.target)
+
+    def between(self, t: float) -> QColor:
+        """Give the colour of a frame: from the source's to the target's."""
+        a, b = QColor(self.source), QColor(self.target)
+        return QColor.fromRgbF(
+            a.redF() + t * (b.redF() - a.redF()),
+            a.greenF() + t * (b.greenF() - a.greenF()),
+            a.blueF() + t * (b.blueF() - a.blueF()),
+        )
+
+
+PINS = ("#1f5fbf", "#b3401f", "#2e7d32", "#8e3aa8", "#9a6700", "#00727a", "#c2185b", "#5d4037")
+
+LIGHT = Theme(
+    name="light",
+    window="#eef0f3",
+    base="#ffffff",
+    button="#fafbfc",
+    edge="#cfd4da",
+    text="#1d2329",
+    muted="#5b6570",
+    accent="#1a66d6",
+    on_accent="#ffffff",
+    source="#2f74d0",
+    target="#d0701c",
+    refused="#c8102e",
+    simple="#1b7a3d",
+    pins=PINS,
+    pieces=("#8fb8ea", "#f3b983", "#9fd6a8", "#d6a6e0", "#efd27a", "#8fd3d6", "#eda3b8", "#c4b5a8"),
+    methods=("#1f5fbf", "#c05a12", "#2e7d32", "#8e3aa8", "#00727a", "#9a6700"),
+)
+
+DARK = Theme(
+    name="dark",
+    window="#22262b",
+    base="#181b1f",
+    button="#2d3238",
+    edge="#444b53",
+    text="#e6e9ec",
+    muted="#a3adb8",
+    accent="#5b9cf5",
+    on_accent="#0d1116",
+    source="#6ba4ee",
+    target="#ef9a4d",
+    refused="#ff6b78",
+    simple="#6fcf8b",
+    pins=PINS,
+    pieces=("#35588a", "#8a5527", "#3a7047", "#704a80", "#7d6a24", "#2c6f73", "#84435a", "#655748"),
+    methods=("#6ba4ee", "#ef9a4d", "#7ccf86", "#d08be6", "#5cc8ce", "#e0b64a"),
+)
+
+
+def theme_of(palette: QPalette) -> Theme:
+    """Give the theme that a palette belongs to."""
+    return DARK if palette.color(QPalette.ColorRole.Window).lightnessF() < 0.5 else LIGHT
+
+
+def apply_theme(application: QApplication, theme: Theme) -> None:
+    """Set style and palette of the whole program."""
+    application.setStyle("Fusion")
+    application.setPalette(palette_of(theme))
+
+
+def palette_of(theme: Theme) -> QPalette:
+    """Give the palette for Qt's own widgets."""
+    role = QPalette.ColorRole
+    palette = QPalette(QColor(theme.button), QColor(theme.window))
+    for roles, colour in (
+        ((role.WindowText, role.Text, role.ButtonText, role.ToolTipText), theme.text),
+        ((role.Base, role.ToolTipBase), theme.base),
+        ((role.AlternateBase,), theme.window),
+        ((role.PlaceholderText,), theme.muted),
+        ((role.Highlight, role.Link, role.Accent), theme.accent),
+        ((role.HighlightedText, role.BrightText), theme.on_accent),
+        ((role.Mid,), theme.edge),
+    ):
+        for each in roles:
+            palette.setColor(each, QColor(colour))
+    faded = QColor(theme.muted)
+    faded.setAlphaF(0.55)
+    for each in (role.WindowText, role.Text, role.ButtonText):
+        palette.setColor(QPalette.ColorGroup.Disabled, each, faded)
+    return palette

@@ -1,0 +1,84 @@
+"""What the program says about the names and errors that the layers without Qt use."""
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+
+from app.model.document import Document
+from app.model.marks import Side
+from starskel.errors import InvalidMarks, InvalidPolygon
+from starskel.marks import Mark
+
+translate = QCoreApplication.translate
+
+_LETTERS = "abcdefghijklmnopqrstuvwxyz"
+
+_METHODS = {
+    "vertex": QT_TRANSLATE_NOOP("Method", "vertex"),
+    "edge-angle": QT_TRANSLATE_NOOP("Method", "edge-angle"),
+    "star-skeleton": QT_TRANSLATE_NOOP("Method", "star-skeleton"),
+    "stitched": QT_TRANSLATE_NOOP("Method", "stitched"),
+    "rigid": QT_TRANSLATE_NOOP("Method", "rigid"),
+    "certified": QT_TRANSLATE_NOOP("Method", "certified"),
+}
+
+
+def step(name: str) -> str:
+    """Give the name of an edit as the menu shows it."""
+    return translate("Step", name)
+
+
+def hint(text: str) -> str:
+    """Give what a tool says about itself."""
+    return translate("Hint", text)
+
+
+def method(name: str) -> str:
+    """Give the name of a blending method."""
+    return translate("Method", name)
+
+
+def side(name: Side) -> str:
+    """Give the name of a canvas."""
+    return translate("Side", "Source") if name == "source" else translate("Side", "Target")
+
+
+def mark(index: int) -> str:
+    """Give the label of a mark: a number, and letters that count along, as on the pins."""
+    letters, rest = "", index
+    while rest >= 0:
+        letters = _LETTERS[rest % 26] + letters
+        rest = rest // 26 - 1
+    return f"{index + 1} {letters}"
+
+
+def reason(error: Exception, document: Document) -> str:
+    """Say why an edit or a blend is not possible, in the words of what is on the screen."""
+    if isinstance(error, InvalidMarks) and len(error.marks) == 2:
+        return _marks_reason(error.marks[0], error.marks[1], document)
+    if isinstance(error, InvalidPolygon) and len(error.vertices) == 4:
+        return translate("Refusal", "The red edges would cross or touch. Nothing was changed.")
+    if isinstance(error, InvalidPolygon) and len(error.vertices) == 2:
+        return translate("Refusal", "Two vertices would be at the same place. Nothing was changed.")
+    return str(error)
+
+
+def _marks_reason(first: Mark, second: Mark, document: Document) -> str:
+    if first[0] == second[0] or first[1] == second[1]:
+        text = translate(
+            "Refusal", "This vertex already has {first}. Remove that pin first, or take another vertex."
+        )
+    else:
+        text = translate(
+            "Refusal",
+            "{second} would cross {first}: going round, they come in different orders on the two shapes.",
+        )
+    return _capitalised(text.format(first=_named(first, document), second=_named(second, document)))
+
+
+def _named(pair: Mark, document: Document) -> str:
+    if pair in document.marks:
+        return translate("Refusal", "mark {label}").format(label=mark(document.marks.index(pair)))
+    return translate("Refusal", "the new mark")
+
+
+def _capitalised(text: str) -> str:
+    return text[:1].upper() + text[1:]
