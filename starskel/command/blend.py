@@ -18,12 +18,12 @@ def run(arguments: Namespace) -> int:
     """Blend the pair by the method and write its keyframes."""
     ending = ending_of(arguments.output, (*WRITERS, ".json"))
     pair = chosen_pair(arguments.file, arguments.id)
-    ((_, blend),) = blends(pair, [arguments.method])
+    ((_, made),) = blends(pair, [arguments.method])
     times = times_of(arguments)
     if ending == ".json":
-        write_frames(arguments.output, arguments.method, times, marked_rows(blend.pair), blend.frames(times))
+        write_frames(arguments.output, arguments.method, times, marked_rows(made.pair), made.frames(times))
     else:
-        _write_drawing(arguments, ending, pair.id, blend, times)
+        _write_drawing(arguments, ending, pair.id, made, times)
     return 0
 
 

@@ -36,11 +36,10 @@ def write_bytes(path: Path, content: bytes) -> None:
         If it cannot be written, saying why.
     """
     try:
-        target = path.resolve()  # a symbolic link goes on pointing to the file
-        if target.exists() and not target.is_file():
-            _write_through(target, content)
+        if path.exists() and not path.is_file():
+            _write_through(path, content)
         else:
-            _replace(target, content)
+            _replace(path.resolve(), content)  # a symbolic link goes on pointing to the file
     except BrokenPipeError:
         raise
     except OSError as error:

@@ -8,7 +8,7 @@ import numpy as np
 from starskel.predicates import Floats
 from starskel.sheet import style
 from starskel.sheet.drawing import Area, Disc, Item, Label, Line, Place, Stroke
-from starskel.sheet.keyframe import Keyframe
+from starskel.sheet.keyframe import Keyframe, PlacedSkeleton
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +42,8 @@ def cell(frame: Keyframe, on_paper: Placement) -> Iterator[Item]:
         yield Area(ring, stroke=_outline(frame))
     else:
         yield Area(ring, style.fill(frame.t), _outline(frame))
-    yield from _skeleton([on_paper(arc) for arc in frame.skeleton])
+    if frame.skeleton is not None:
+        yield from _skeleton(frame.skeleton, on_paper)
     yield from _crossings(on_paper(frame.crossings))
     yield from _pins(ring, frame.marks)
 
@@ -73,12 +74,14 @@ def _pieces(rings: list[Floats]) -> Iterator[Item]:
         yield Area(ring, style.PIECES[number % len(style.PIECES)], style.PIECE_OUTLINE)
 
 
-def _skeleton(arcs: list[Floats]) -> Iterator[Item]:
-    for arc in arcs:
-        yield Line(arc, style.SKELETON_LINE)
-    for arc in arcs:
-        for x, y in arc.tolist():
-            yield Disc((x, y), 1.4, style.SKELETON)
+def _skeleton(skeleton: PlacedSkeleton, on_paper: Placement) -> Iterator[Item]:
+    """Draw the arcs, the mid-points white and the star origins dark, as in the paper's figure 7."""
+    for arc in skeleton.arcs:
+        yield Line(on_paper(arc), style.SKELETON_LINE)
+    for x, y in on_paper(skeleton.mid_points).tolist():
+        yield Disc((x, y), 1.2, style.PAPER, style.JOINT_OUTLINE)
+    for x, y in on_paper(skeleton.origins).tolist():
+        yield Disc((x, y), 1.5, style.SKELETON)
 
 
 def _crossings(places: Floats) -> Iterator[Item]:

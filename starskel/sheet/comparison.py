@@ -49,7 +49,7 @@ def comparison_sheet(title: str, rows: Sequence[Row]) -> Drawing:
     columns = len(rows[0].frames)
     left = style.MARGIN + _heading_width(rows) + style.GAP
     width = left + columns * (grid.width + style.GAP) - style.GAP + style.MARGIN
-    height = style.MARGIN + _TITLE + len(rows) * pitch + style.MARGIN
+    height = style.MARGIN + _TITLE + len(rows) * pitch + style.MARGIN - style.GAP / 2
 
     def middle(column: int) -> float:
         return left + column * (grid.width + style.GAP) + grid.width / 2

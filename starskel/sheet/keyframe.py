@@ -16,6 +16,25 @@ from starskel.predicates import Floats
 
 
 @dataclass(frozen=True, eq=False)
+class PlacedSkeleton:
+    """Where a skeleton lies.
+
+    Attributes
+    ----------
+    origins : (k, 2) array
+        The star origins.
+    mid_points : (k - 1, 2) array
+        The mid-points of shared edges.
+    arcs : (2 k - 2, 2, 2) array
+        The two ends of each arc.
+    """
+
+    origins: Floats
+    mid_points: Floats
+    arcs: Floats
+
+
+@dataclass(frozen=True, eq=False)
 class Keyframe:
     """The in-between polygon at one time, and what is to be seen on it.
 
@@ -29,15 +48,15 @@ class Keyframe:
         The rows of the ring that bear the user's marks, in their order.
     pieces : tuple of (k, 2) arrays
         The rings of the star pieces; none where they are not shown.
-    skeleton : tuple of (k, 2) arrays
-        The skeleton's arcs as open lines; none where it is not shown.
+    skeleton : PlacedSkeleton or None
+        The skeleton; None where it is not shown.
     """
 
     t: float
     ring: Floats
     marks: tuple[int, ...] = ()
     pieces: tuple[Floats, ...] = ()
-    skeleton: tuple[Floats, ...] = ()
+    skeleton: PlacedSkeleton | None = None
 
     @cached_property
     def crossings(self) -> Floats:
@@ -108,8 +127,9 @@ def _pieces(blend: Blend, t: float, shown: Shown) -> tuple[Floats, ...]:
     return tuple(points[list(piece)] for piece in blend.decomposition.pieces)
 
 
-def _skeleton(blend: Blend, t: float, shown: Shown) -> tuple[Floats, ...]:
+def _skeleton(blend: Blend, t: float, shown: Shown) -> PlacedSkeleton | None:
     if not (shown.skeleton and isinstance(blend, PieceBlend)):
-        return ()
+        return None
     points = blend.skeleton_at(t)
-    return tuple(points[arc] for arc in blend.skeleton.arcs)
+    count = len(blend.decomposition.pieces)
+    return PlacedSkeleton(points[:count], points[count:], points[blend.skeleton.arcs])

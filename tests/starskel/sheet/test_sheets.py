@@ -7,7 +7,7 @@ from starskel.files.postscript import write_eps, write_postscript
 from starskel.files.svg import write_svg
 from starskel.sheet.comparison import Row, comparison_sheet
 from starskel.sheet.drawing import Area, Disc, Group, Label, Line
-from starskel.sheet.keyframe import Keyframe
+from starskel.sheet.keyframe import Keyframe, PlacedSkeleton
 from starskel.sheet.rows import LONGEST, page_sheets, row_sheet
 from tests.starskel.files.rendering import (
     assert_filled,
@@ -28,7 +28,9 @@ def turned(ring, quarter):
 
 
 FRAMES = tuple(Keyframe(t, turned(HOOK, t) + 100 * t, marks=(0, 3)) for t in (0.0, 0.25, 0.5, 1.0))
-WHOLE = Keyframe(0.5, HOOK, (0,), (HOOK[:3], HOOK[2:]), (HOOK[[0, 2, 4]],))
+WHOLE = Keyframe(
+    0.5, HOOK, (0,), (HOOK[:3], HOOK[2:]), PlacedSkeleton(HOOK[[0, 4]], HOOK[[2]], HOOK[[[0, 2], [2, 4]]])
+)
 SHEETS = {
     "row": row_sheet("row", FRAMES),
     "rows": row_sheet("rows", FRAMES * 4),
