@@ -2,20 +2,22 @@
 
 import sys
 from types import TracebackType
+from typing import TextIO
 
 _WIDTH = 30
 
 
 class Progress:
-    """A bar on the last line of the terminal; nothing at all where standard error is no terminal.
+    """A bar on the last line of a terminal, by default that of standard error; nothing where there is none.
 
     Used as a context, so that the bar is gone before anything else is written.
     """
 
-    def __init__(self, label: str) -> None:
+    def __init__(self, label: str, stream: TextIO | None = None) -> None:
         self._label = label
+        self._stream = stream or sys.stderr
         self._shown = -1
-        self._visible = sys.stderr.isatty()
+        self._visible = self._stream.isatty()
 
     def __enter__(self) -> "Progress":
         return self
@@ -24,7 +26,7 @@ class Progress:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         if self._shown >= 0:
-            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+            self._write("\r\x1b[K")
 
     def __call__(self, fraction: float) -> None:
         """Show this fraction as done."""
@@ -32,6 +34,8 @@ class Progress:
         if self._visible and percent != self._shown:
             self._shown = percent
             done = "#" * (_WIDTH * percent // 100)
-            print(
-                f"\r{done:.<{_WIDTH}} {percent:3} % {self._label}\x1b[K", end="", file=sys.stderr, flush=True
-            )
+            self._write(f"\r{done:.<{_WIDTH}} {percent:3} % {self._label}\x1b[K")
+
+    def _write(self, text: str) -> None:
+        self._stream.write(text)
+        self._stream.flush()
