@@ -1,10 +1,12 @@
 """Project files: what the editor has open, format starskel-project."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import msgspec
 
+from starskel.blending import METHODS
 from starskel.errors import InvalidFile
 from starskel.files.documents import check_format, read_document, write_document
 from starskel.files.shapes import Row, marked_shapes, polygon_of, rows_of
@@ -58,7 +60,7 @@ def read_project(path: Path) -> Project:
     Raises
     ------
     InvalidFile
-        If it cannot be read, is damaged, is no project, or is one of a newer version.
+        If it cannot be read, is damaged, is no project, is one of a newer version, or holds invalid things.
     """
     check_format(path, FORMAT)
     _check_version(path)
@@ -72,7 +74,7 @@ def read_project(path: Path) -> Project:
         raise InvalidFile(
             f"{path} has marks, but not both shapes", "add the missing shape or remove the marks"
         )
-    return Project(document.name, source, target, marks, tuple(document.methods))
+    return Project(document.name, source, target, marks, _methods(path, document.methods))
 
 
 def write_project(path: Path, project: Project) -> None:
@@ -87,6 +89,16 @@ def write_project(path: Path, project: Project) -> None:
     target = rows_of(project.target) if project.target is not None else None
     marks, methods = list(project.marks), list(project.methods)
     write_document(path, _Document(FORMAT, VERSION, project.name, source, target, marks, methods))
+
+
+def _methods(path: Path, names: Sequence[str]) -> tuple[str, ...]:
+    for number, name in enumerate(names):
+        if name not in METHODS:
+            what = f'{path} shows the method "{name}", which this program does not know'
+            raise InvalidFile(what, "open it with a newer starskel, or name one of " + ", ".join(METHODS))
+        if name in names[:number]:
+            raise InvalidFile(f'{path} shows the method "{name}" twice', "name it once")
+    return tuple(names)
 
 
 def _check_version(path: Path) -> None:

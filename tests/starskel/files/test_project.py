@@ -59,6 +59,11 @@ def changed(path, **change):
         ({"source": None}, "has marks, but not both shapes"),
         ({"marks": [[0, 4]]}, "mark 0 names vertex 4 of the target"),
         ({"marks": [[0]]}, r"length 2 - at `\$.marks\[0\]`"),
+        (
+            {"methods": ["vertex", "magic"]},
+            'the method "magic", .* open it with a newer starskel, or name one of',
+        ),
+        ({"methods": ["vertex", "stitched", "vertex"]}, 'the method "vertex" twice'),
         ({"methods": [1]}, r"got `int` - at `\$.methods\[0\]`"),
     ],
 )
