@@ -1,8 +1,12 @@
 """What makes an outline: edge vectors, lengths, turning angles, area; of one ring or of a stack of frames."""
 
 import numpy as np
+import shapely
+from numpy.typing import NDArray
 
 from starskel.predicates import Floats, orientation
+
+Flags = NDArray[np.bool_]
 
 
 def edge_vectors(rings: Floats) -> Floats:
@@ -31,6 +35,11 @@ def signed_areas(rings: Floats) -> Floats:
     """Give the (...) areas of the rings, negative where they run clockwise."""
     x, y = np.moveaxis(rings - rings[..., :1, :], -1, 0)
     return np.asarray(0.5 * (x * np.roll(y, -1, axis=-1) - y * np.roll(x, -1, axis=-1)).sum(axis=-1))
+
+
+def cross_themselves(rings: Floats) -> Flags:
+    """Tell which of the (k, n, 2) rings cross or touch themselves."""
+    return ~np.asarray(shapely.is_simple(shapely.linearrings(rings)), dtype=np.bool_)
 
 
 def precedes(first: Floats, second: Floats) -> bool:

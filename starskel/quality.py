@@ -4,15 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
 from starskel.blending.frames import Blend
 from starskel.errors import StarskelError
-from starskel.outline import edge_lengths, signed_areas, turning_angles
+from starskel.outline import Flags, cross_themselves, edge_lengths, signed_areas, turning_angles
 from starskel.polygon import crossing_edges
 from starskel.predicates import Floats
-
-Flags = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,7 +84,7 @@ def measure(blend: Blend, frames: int = 101) -> Report:
         raise StarskelError(f"{frames} frames cannot show a blend", "give at least 2")
     times = np.linspace(0, 1, frames)
     rings = blend.frames(times)
-    crossings = crossing_frames(rings)
+    crossings = cross_themselves(rings)
     areas, lengths = signed_areas(rings), edge_lengths(rings)
     expected_areas, expected_lengths = (
         linear(areas[0], areas[-1], times),
@@ -106,11 +103,6 @@ def measure(blend: Blend, frames: int = 101) -> Report:
         negative_lengths=tuple(np.flatnonzero(blend.negative_lengths(times)).tolist()),
         crossing_place=_crossing_place(rings[crossings.argmax()]) if crossings.any() else None,
     )
-
-
-def crossing_frames(rings: Floats) -> Flags:
-    """Tell which of the (k, n, 2) rings cross or touch themselves."""
-    return ~np.asarray(shapely.is_simple(shapely.linearrings(rings)))
 
 
 def linear(start: Floats, end: Floats, times: Floats) -> Floats:

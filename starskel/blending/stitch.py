@@ -104,7 +104,7 @@ class Stitch:
 
     @classmethod
     def of(cls, graph: Graph, weights: Floats, dial: float) -> "Stitch":
-        """Factor the problem with these weights; the place, which they leave free, is fixed at the first point."""
+        """Factor the problem with these weights, the first point held, as they leave the place free."""
         held = np.zeros(len(graph.mesh.source))
         held[0] = weights.max()
         return cls(graph, weights, dial, factor(graph.dissection, weights, held))

@@ -8,7 +8,8 @@ from starskel.blending.fans import fans_of
 from starskel.blending.frames import placed, with_exact_ends
 from starskel.blending.mesh import mesh_of
 from starskel.blending.pieces import PieceBlend
-from starskel.blending.stitch import Stitch, graph_of, length_weights
+from starskel.blending.stiffening import stiffened
+from starskel.blending.stitch import graph_of
 from starskel.decomposition.pieces import Decomposition
 from starskel.outline import precedes
 from starskel.polar import as_points
@@ -40,8 +41,10 @@ class StitchedBlend(PieceBlend):
         fans = fans_of(forwards)
         self._pair = forwards.pair
         self._hubs = fans.hubs
-        mesh = mesh_of(fans, len(decomposition.pair))
-        self._stitch = Stitch.of(graph_of(mesh), length_weights(mesh, 3.0), 0.7)
+        watched = task or Task()
+        watched.reach(0)
+        graph = graph_of(mesh_of(fans, len(self.pair)))
+        self._stitch = stiffened(graph, len(self.pair), watched.part(0.1, 1))
         self._errors = self._placed(np.array([0.0, 1.0])) - np.stack([fans.source, fans.target])
 
     def _points(self, ts: Floats) -> tuple[Floats, Floats]:
