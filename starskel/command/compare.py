@@ -10,7 +10,6 @@ from starskel.command.output import WRITERS, ending_of
 from starskel.quality import measure
 from starskel.sheet.comparison import Row, comparison_sheet
 from starskel.sheet.keyframe import keyframes
-from starskel.sheet.words import figures, verdict
 
 
 def run(arguments: Namespace) -> int:
@@ -20,8 +19,6 @@ def run(arguments: Namespace) -> int:
     times, shown = times_of(arguments), shown_of(arguments)
     rows = []
     for method, blend in blends(pair, arguments.method or METHODS[::-1]):
-        report = measure(blend)
-        frames = keyframes(blend, times, shown)
-        rows.append(Row(method, report.simple, verdict(report), figures(report), frames))
+        rows.append(Row.of(method, measure(blend), keyframes(blend, times, shown)))
     WRITERS[ending](arguments.output, comparison_sheet(pair.id, rows))
     return 0

@@ -5,11 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.quality import Report
 from starskel.sheet import style
 from starskel.sheet.cell import cross_sign, tick_sign
 from starskel.sheet.drawing import Area, Drawing, Item, Label, Line
 from starskel.sheet.keyframe import Keyframe
 from starskel.sheet.rows import Grid
+from starskel.sheet.words import figures, verdict
 
 _TITLE = 34.0
 _LINE = 12.0
@@ -39,6 +41,11 @@ class Row:
     verdict: str
     figures: tuple[str, ...]
     frames: tuple[Keyframe, ...]
+
+    @classmethod
+    def of(cls, name: str, report: Report, frames: tuple[Keyframe, ...]) -> "Row":
+        """Give the row of a method that was measured."""
+        return cls(name, report.simple, verdict(report), figures(report), frames)
 
 
 def comparison_sheet(title: str, rows: Sequence[Row]) -> Drawing:
