@@ -6,7 +6,7 @@ from pathlib import Path
 
 from starskel.errors import InvalidFile
 from starskel.files import pairs, project
-from starskel.files.documents import format_of
+from starskel.files.documents import check_format
 from starskel.files.pairs import ShapePair, read_pairs
 from starskel.files.project import read_project
 
@@ -35,15 +35,11 @@ def opened(path: Path) -> Opened:
     InvalidFile
         If it is neither, or cannot be read.
     """
-    found = format_of(path)
-    if found == pairs.FORMAT:
+    if check_format(path, pairs.FORMAT, project.FORMAT) == pairs.FORMAT:
         file = read_pairs(path)
         return Opened(file.ids, file.pair)
-    if found == project.FORMAT:
-        pair = _project_pair(path)
-        return Opened((pair.id,), lambda _: pair)
-    what = f'{path} has the format "{found}"' if found else f"{path} does not name its format"
-    raise InvalidFile(what, f'give a file of the format "{pairs.FORMAT}" or "{project.FORMAT}"')
+    pair = _project_pair(path)
+    return Opened((pair.id,), lambda _: pair)
 
 
 def chosen_pair(path: Path, pair_id: str | None) -> ShapePair:

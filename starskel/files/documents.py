@@ -28,18 +28,19 @@ def format_of(path: Path) -> str:
     return read_document(path, _Header).format
 
 
-def check_format(path: Path, expected: str) -> None:
-    """Refuse a document of another format.
+def check_format(path: Path, *expected: str) -> str:
+    """Give the format of a document that must have one of these.
 
     Raises
     ------
     InvalidFile
-        Naming both formats; or if the file cannot be read.
+        If it is none of those expected, naming them; or if the file cannot be read or is no JSON object.
     """
     found = format_of(path)
-    if found != expected:
+    if found not in expected:
         what = f'{path} has the format "{found}"' if found else f"{path} does not name its format"
-        raise InvalidFile(what, f'give a file of the format "{expected}"')
+        raise InvalidFile(what, "give a file of the format " + " or ".join(f'"{name}"' for name in expected))
+    return found
 
 
 def read_document(path: Path, kind: type[Document]) -> Document:
