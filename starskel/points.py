@@ -21,30 +21,27 @@ Indices = NDArray[np.intp]
 
 @dataclass(frozen=True, eq=False)
 class Points:
-    """A ring's vertices, followed by any number of free points.
+    """The vertices of a ring, followed by any number of free points.
 
     Attributes
     ----------
     coordinates : (m, 2) array
     start, end : (m,) arrays of int
-        The corners between which a straight vertex lies; a corner or a free point names itself twice.
+        The corners between which a rounded vertex lies; every other point names itself twice.
     share : (m,) array
-        The share of the way from start to end, inside (0, 1) for straight vertices.
-    rounded : (m,) array of bool
-        Whether the coordinates of a straight vertex miss its chord, so that its share tells where it is.
+        The share of the way from start to end, inside (0, 1) for rounded vertices.
     """
 
     coordinates: Floats
     start: Indices
     end: Indices
     share: Floats
-    rounded: NDArray[np.bool_]
 
     @property
-    def straight(self) -> NDArray[np.bool_]:
-        """For each point whether it is a straight vertex."""
-        straight: NDArray[np.bool_] = self.start != self.end
-        return straight
+    def rounded(self) -> NDArray[np.bool_]:
+        """For each point whether its coordinates miss its place, which its share tells."""
+        rounded: NDArray[np.bool_] = self.start != self.end
+        return rounded
 
     def with_free(self, coordinates: Floats) -> "Points":
         """Give these points followed by free ones at (k, 2) coordinates."""
@@ -54,12 +51,12 @@ class Points:
             np.concatenate([self.start, new]),
             np.concatenate([self.end, new]),
             np.concatenate([self.share, np.zeros(len(coordinates))]),
-            np.concatenate([self.rounded, np.zeros(len(coordinates), dtype=bool)]),
         )
 
     def orientation(self, i: Indices, j: Indices, k: Indices) -> Signs:
         """Tell whether the turn from point i over j to k is left (1), right (-1) or none (0), exactly."""
-        rounded = self.rounded[i] | self.rounded[j] | self.rounded[k]
+        rounded = self.rounded
+        rounded = rounded[i] | rounded[j] | rounded[k]
         if not rounded.any():
             return orientation(*(self.coordinates[p] for p in (i, j, k)))
         i, j, k = np.broadcast_arrays(i, j, k)
@@ -73,7 +70,7 @@ class Points:
         a = self.coordinates[i] - self.coordinates[k]
         b = self.coordinates[j] - self.coordinates[k]
         determinant = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
-        slack = 2 * ROUNDING * np.abs(self.coordinates).max()  # of a straight vertex, in each coordinate
+        slack = 2 * ROUNDING * np.abs(self.coordinates).max()  # of a rounded vertex, in each coordinate
         bound = 4 * slack * (np.abs(a).sum(axis=1) + np.abs(b).sum(axis=1) + slack)
         signs = np.sign(determinant).astype(np.int8)
         undecided = np.abs(determinant) <= bound
@@ -83,10 +80,7 @@ class Points:
 
     def _by_corners(self, i: Indices, j: Indices, k: Indices) -> Signs:
         """Decide from the turns of the corners: a determinant is a positive mean of theirs."""
-        ends = [
-            (np.where(self.rounded[p], self.start[p], p), np.where(self.rounded[p], self.end[p], p))
-            for p in (i, j, k)
-        ]
+        ends = [(self.start[p], self.end[p]) for p in (i, j, k)]
         turns = np.stack([self._turn_of_corners(*corners) for corners in product(*ends)])
         low, high = turns.min(axis=0), turns.max(axis=0)
         signs: Signs = np.where(low >= 0, high, low)
@@ -106,9 +100,8 @@ class Points:
         return (determinant > 0) - (determinant < 0)
 
     def _exact(self, i: int) -> tuple[Fraction, Fraction]:
-        share = Fraction(float(self.share[i]) if self.rounded[i] else 0)
-        ends = (self.start[i], self.end[i]) if self.rounded[i] else (i, i)
-        start, end = self.coordinates[list(ends)]
+        share = Fraction(float(self.share[i]))
+        start, end = self.coordinates[self.start[i]], self.coordinates[self.end[i]]
         x, y = (
             (1 - share) * Fraction(float(a)) + share * Fraction(float(b))
             for a, b in zip(start, end, strict=True)
@@ -120,7 +113,7 @@ def points_of(ring: Floats) -> Points:
     """Give the vertices of a ring as exact points, its straight runs found."""
     n = len(ring)
     own = np.arange(n)
-    points = Points(ring, own.copy(), own.copy(), np.zeros(n), np.zeros(n, dtype=bool))
+    points = Points(ring, own.copy(), own.copy(), np.zeros(n))
     slack = ROUNDING * float(np.abs(ring).max())
     corner = ~_near_chord(np.roll(ring, 1, axis=0), ring, np.roll(ring, -1, axis=0), 2 * slack)
     corner[[np.lexsort(ring.T)[0], np.lexsort(ring.T)[-1]]] = True  # hull vertices: every run ends somewhere
@@ -132,7 +125,7 @@ def points_of(ring: Floats) -> Points:
 
 
 def _straighten(points: Points, first: int, last: int, slack: float) -> None:
-    """Set the straight vertices between two corners, splitting the run where it leaves its chord."""
+    """Set the rounded vertices between two corners, splitting the run where it leaves its chord."""
     ring = points.coordinates
     n = len(ring)
     runs = [(first, last)]
@@ -145,8 +138,9 @@ def _straighten(points: Points, first: int, last: int, slack: float) -> None:
         share = ((ring[inner] - a) @ (b - a)) / ((b - a) @ (b - a))
         ways = np.concatenate([[0.0], share, [1.0]])
         if _near_chord(a, ring[inner], b, slack).all() and (np.diff(ways) > 0).all():
-            points.start[inner], points.end[inner], points.share[inner] = first % n, last % n, share
-            points.rounded[inner] = orientation(a, ring[inner], b) != 0
+            off = orientation(a, ring[inner], b) != 0  # the others are where their coordinates say
+            points.start[inner[off]], points.end[inner[off]] = first % n, last % n
+            points.share[inner[off]] = share[off]
         else:
             split = first + 1 + int(_distance(a, ring[inner], b).argmax())
             runs += [(first, split), (split, last)]

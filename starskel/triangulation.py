@@ -7,7 +7,7 @@ import numpy as np
 import shapely
 
 from starskel.errors import InvalidPolygon
-from starskel.points import Indices, Points, points_of
+from starskel.points import Indices, Points
 from starskel.predicates import Floats
 
 Triangle = tuple[int, int, int]
@@ -20,82 +20,98 @@ class Triangulation:
     Attributes
     ----------
     points : Points
-        The vertices of the ring.
+    ring : (n,) array of int
+        The rows of the ring's vertices among the points, counter-clockwise.
     triangles : (n - 2, 3) array of int
-        Corners, counter-clockwise. Half-edge 3 f + s runs from corner s of triangle f to the next.
+        Corners as indices of the ring, counter-clockwise. Half-edge 3 f + s runs from corner s of triangle f
+        to the next.
     twins : (3 n - 6,) array of int
         For each half-edge the one on its other side, or -1 on the ring.
     """
 
     points: Points
+    ring: Indices
     triangles: Indices
     twins: Indices
 
+    @property
+    def vertices(self) -> Floats:
+        """The (n, 2) coordinates of the ring."""
+        vertices: Floats = self.points.coordinates[self.ring]
+        return vertices
 
-def triangulate(ring: Floats) -> Triangulation:
-    """Triangulate a simple (n, 2) ring, exactly right also where vertices lie on straight runs."""
-    points = points_of(ring)
-    corners = np.flatnonzero(~points.straight)
-    triangles = _delaunay(points, corners)
+
+def triangulate(points: Points, ring: Indices) -> Triangulation:
+    """Triangulate the simple ring over some points, exactly right also where vertices lie on straight runs.
+
+    Raises
+    ------
+    InvalidPolygon
+        If the ring touches itself.
+    """
+    corners = np.flatnonzero(points.orientation(np.roll(ring, 1), ring, np.roll(ring, -1)))
+    triangles = _delaunay(points, ring[corners])
     if triangles is None:
-        triangles = _cut_ears(points, corners)
-    triangles = np.array(_split_runs(triangles, _runs(points)))
-    return Triangulation(points, triangles, _twins(triangles))
+        triangles = _cut_ears(points, ring[corners])
+    triangles = np.array(_split_runs(corners[triangles], _runs(corners, len(ring))))
+    return Triangulation(points, ring, triangles, _twins(triangles))
 
 
 def _delaunay(points: Points, corners: Indices) -> Indices | None:
     """Let GEOS triangulate; believe it only if every triangle and every edge proves right."""
     ring = points.coordinates[corners]
-    parts = shapely.get_parts(shapely.constrained_delaunay_triangles(shapely.Polygon(ring)))
+    try:
+        parts = shapely.get_parts(shapely.constrained_delaunay_triangles(shapely.Polygon(ring)))
+    except shapely.GEOSException:  # lost its way among vertices that are all but collinear
+        return None
     found = shapely.get_coordinates(parts).reshape(-1, 4, 2)[:, :3]
-    row = {(x, y): i for i, (x, y) in zip(corners.tolist(), ring.tolist(), strict=True)}
+    row = {(x, y): i for i, (x, y) in enumerate(ring.tolist())}
     named = [row.get((x, y), -1) for x, y in found.reshape(-1, 2).tolist()]
     triangles = np.array(named, dtype=np.intp).reshape(-1, 3)
     if len(triangles) != len(corners) - 2 or triangles.min() < 0:
         return None
-    turns = points.orientation(*triangles.T)
+    turns = points.orientation(*corners[triangles].T)
     triangles[turns < 0] = triangles[turns < 0][:, ::-1]
-    return triangles if (turns != 0).all() and _tiles(triangles, corners) else None
+    return triangles if (turns != 0).all() and _tiles(triangles, len(corners)) else None
 
 
-def _tiles(triangles: Indices, corners: Indices) -> bool:
+def _tiles(triangles: Indices, n: int) -> bool:
     """Tell whether counter-clockwise triangles fit together along their edges and end at the ring."""
     edges = {(a, b) for t in triangles.tolist() for a, b in zip(t, (*t[1:], t[0]), strict=True)}
     outer = {(a, b) for a, b in edges if (b, a) not in edges}
-    ring = corners.tolist()
-    return len(edges) == 3 * len(triangles) and outer == set(zip(ring, (*ring[1:], ring[0]), strict=True))
+    return len(edges) == 3 * len(triangles) and outer == {(i, (i + 1) % n) for i in range(n)}
 
 
 def _cut_ears(points: Points, corners: Indices) -> Indices:
     """Triangulate by cutting ears; O(n^2), for rings too nearly degenerate for floating point."""
-    left = corners.tolist()
+    left = list(range(len(corners)))
     ears: list[Triangle] = []
     at = tried = 0
-    while len(left) > 3:
+    while len(left) > 2:
         ear = left[at - 1], left[at], left[(at + 1) % len(left)]
-        if _is_ear(points, ear, np.array(left)):
+        if _is_ear(points, corners, ear, np.array(left)):
             ears.append(ear)
             left.pop(at)
             tried = 0
         elif (tried := tried + 1) > len(left):
-            x, y = points.coordinates[ear[1]]
+            x, y = points.coordinates[corners[ear[1]]]
             raise InvalidPolygon(
-                f"the polygon all but touches itself near vertex {ear[1]}, at ({x:g}, {y:g})",
+                f"the polygon all but touches itself near vertex {corners[ear[1]]}, at ({x:g}, {y:g})",
                 "move this vertex, or those next to it, apart",
-                vertices=(ear[1],),
+                vertices=(int(corners[ear[1]]),),
                 place=(float(x), float(y)),
             )
         else:
             at += 1
         at %= len(left)
-    return np.array([*ears, left])
+    return np.array(ears)
 
 
-def _is_ear(points: Points, ear: Triangle, left: Indices) -> bool:
-    a, b, c = (np.array([v]) for v in ear)
+def _is_ear(points: Points, corners: Indices, ear: Triangle, left: Indices) -> bool:
+    a, b, c = corners[list(ear), None]
     if points.orientation(a, b, c)[0] <= 0:
         return False
-    others = left[~np.isin(left, ear)]
+    others = corners[left[~np.isin(left, ear)]]
     outside = (
         (points.orientation(a, b, others) < 0)
         | (points.orientation(b, c, others) < 0)
@@ -104,13 +120,11 @@ def _is_ear(points: Points, ear: Triangle, left: Indices) -> bool:
     return bool(outside.all())
 
 
-def _runs(points: Points) -> dict[tuple[int, int], list[int]]:
-    """Give for each edge between corners the straight vertices on it, in order."""
-    runs: dict[tuple[int, int], list[int]] = {}
-    straight = np.flatnonzero(points.straight)
-    for v in straight[np.argsort(points.share[straight], kind="stable")].tolist():
-        runs.setdefault((int(points.start[v]), int(points.end[v])), []).append(v)
-    return runs
+def _runs(corners: Indices, n: int) -> dict[tuple[int, int], list[int]]:
+    """Give for each edge between corners the straight vertices on it, in order, if there are any."""
+    ends = [*corners[1:].tolist(), int(corners[0]) + n]
+    between = zip(corners.tolist(), ends, strict=True)
+    return {(a, b % n): [v % n for v in range(a + 1, b)] for a, b in between if b - a > 1}
 
 
 def _split_runs(triangles: Indices, runs: dict[tuple[int, int], list[int]]) -> list[Triangle]:

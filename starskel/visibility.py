@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from starskel.points import Indices, Points
-from starskel.predicates import Floats
+from starskel.predicates import Floats, Signs
 from starskel.triangulation import Triangulation
 
 Relation = NDArray[np.bool_]
@@ -51,9 +51,22 @@ class _Windows:
         return _Windows(self.viewer[chosen], self.edge[chosen], self.right[chosen], self.left[chosen])
 
 
+@dataclass(frozen=True, eq=False)
+class _Viewers:
+    """Where the viewers and the vertices of the ring stand among the points."""
+
+    points: Points
+    ring: Indices
+    rows: Indices
+
+    def turn(self, viewer: Indices, first: Indices, second: Indices) -> Signs:
+        """Tell whether a viewer turns left (1) or right (-1) to look from one vertex to another."""
+        return self.points.orientation(self.rows[viewer], self.ring[first], self.ring[second])
+
+
 def visibility(ground: Triangulation) -> Visibility:
     """Tell for all pairs of a ring's vertices whether they see each other, in O(visible pairs) entries."""
-    n = len(ground.points.coordinates)
+    n = len(ground.ring)
     viewers = ground.triangles.ravel()
     edges = np.arange(len(viewers))
     opposite = edges - edges % 3 + (edges + 1) % 3
@@ -65,33 +78,32 @@ def visibility(ground: Triangulation) -> Visibility:
     ring = np.arange(n)
     for step in (1, -1):  # edges of the ring are no diagonals
         seen.diagonal[ring, (ring + step) % n] = False
-    _expand(ground.points, ground, first, seen, ring)
+    _expand(ground, _Viewers(ground.points, ground.ring, ground.ring), first, seen)
     return seen
 
 
 def visibility_from(ground: Triangulation, places: Floats) -> Visibility:
     """Tell which vertices of a ring are seen from (k, 2) places that are no vertices; from outside none."""
-    n, k = len(ground.points.coordinates), len(places)
-    points = ground.points.with_free(places)
+    n, k = len(ground.ring), len(places)
     seen = Visibility(np.zeros((k, n), dtype=bool), np.zeros((k, n), dtype=bool))
-    viewers, triangles, ahead = _locate(points, ground, n + np.arange(k))
+    free = len(ground.points.coordinates) + np.arange(k)
+    viewers = _Viewers(ground.points.with_free(places), ground.ring, free)
+    at, triangles, ahead = _locate(ground, viewers)
     for corner in ground.triangles[triangles].T:
-        seen.sees[viewers - n, corner] = True
-        seen.diagonal[viewers - n, corner] = True
-    inside = np.repeat(viewers, 3)[ahead.ravel()]
+        seen.sees[at, corner] = True
+        seen.diagonal[at, corner] = True
     edges = (3 * triangles[:, None] + np.arange(3))[ahead]
-    rows = np.concatenate([np.zeros(n, dtype=np.intp), np.arange(k)])
-    _expand(points, ground, _open(ground, inside, edges), seen, rows)
+    _expand(ground, viewers, _open(ground, np.repeat(at, 3)[ahead.ravel()], edges), seen)
     return seen
 
 
-def _locate(points: Points, ground: Triangulation, viewers: Indices) -> tuple[Indices, Indices, Relation]:
+def _locate(ground: Triangulation, viewers: _Viewers) -> tuple[Indices, Indices, Relation]:
     """Find the closed triangles round each viewer, and which of their edges lie ahead of it."""
-    a = ground.triangles
+    a = ground.ring[ground.triangles]
     b = np.roll(a, -1, axis=1)
-    turns = points.orientation(viewers[:, None, None], a[None], b[None])
+    turns = viewers.points.orientation(viewers.rows[:, None, None], a[None], b[None])
     at, triangles = np.nonzero((turns >= 0).all(axis=2))
-    return viewers[at], triangles, turns[at, triangles] > 0
+    return at, triangles, turns[at, triangles] > 0
 
 
 def _open(ground: Triangulation, viewers: Indices, edges: Indices) -> _Windows:
@@ -100,10 +112,8 @@ def _open(ground: Triangulation, viewers: Indices, edges: Indices) -> _Windows:
     return _Windows(viewers, edges, starts, ends)
 
 
-def _expand(
-    points: Points, ground: Triangulation, windows: _Windows, seen: Visibility, rows: Indices
-) -> None:
-    """Advance windows until all have met the ring; `rows` gives each viewer's row in what is seen."""
+def _expand(ground: Triangulation, viewers: _Viewers, windows: _Windows, seen: Visibility) -> None:
+    """Advance windows until all have met the ring."""
     corners = ground.triangles.ravel()
     while len(windows.viewer):
         behind = ground.twins[windows.edge]
@@ -111,9 +121,9 @@ def _expand(
         after = behind - behind % 3 + (behind + 1) % 3  # from the window's right end to the apex
         last = behind - behind % 3 + (behind + 2) % 3  # from the apex to its left end
         apex = corners[last]
-        from_right = points.orientation(windows.viewer, windows.right, apex)
-        from_left = points.orientation(windows.viewer, apex, windows.left)
-        row = rows[windows.viewer]
+        from_right = viewers.turn(windows.viewer, windows.right, apex)
+        from_left = viewers.turn(windows.viewer, apex, windows.left)
+        row = windows.viewer
         within = (from_right >= 0) & (from_left >= 0)
         seen.sees[row[within], apex[within]] = True
         strictly = (from_right > 0) & (from_left > 0)

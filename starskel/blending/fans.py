@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from starskel.decomposition.kernel import star_point, star_vertices
 from starskel.decomposition.pieces import Decomposition
+from starskel.points import Points, points_of
 from starskel.predicates import Floats
 
 Triangle = tuple[int, int, int]
@@ -43,13 +44,13 @@ def fans_of(decomposition: Decomposition) -> Fans:
     count = len(decomposition.source)
     triangles: list[Triangle] = []
     hubs: list[tuple[int, ...]] = []
+    exact = _exact_points(decomposition)
     for piece in decomposition.pieces:
-        rings = decomposition.source[list(piece)], decomposition.target[list(piece)]
         if len(piece) == 3:
             triangles.append((piece[0], piece[1], piece[2]))
             hubs.append(piece)
             continue
-        hub = _hub(*rings)
+        hub = _hub(*exact, np.array(piece))
         if isinstance(hub, int):
             own = piece[hub]
         else:
@@ -63,12 +64,19 @@ def fans_of(decomposition: Decomposition) -> Fans:
     return Fans(source, target, np.array(triangles, dtype=np.intp), tuple(hubs))
 
 
-def _hub(source: Floats, target: Floats) -> int | tuple[Floats, Floats]:
+def _exact_points(decomposition: Decomposition) -> tuple[Points, Points]:
+    pair = decomposition.pair
+    steiner = decomposition.source[len(pair) :], decomposition.target[len(pair) :]
+    return points_of(pair.source).with_free(steiner[0]), points_of(pair.target).with_free(steiner[1])
+
+
+def _hub(first: Points, second: Points, piece: NDArray[np.intp]) -> int | tuple[Floats, Floats]:
     """Give a point of both kernels: a vertex by its place in the piece, or a place in each polygon."""
-    centres = star_point(source), star_point(target)
+    centres = star_point(first, piece), star_point(second, piece)
     if centres[0] is not None and centres[1] is not None:
         return centres[0], centres[1]
-    common = np.flatnonzero(star_vertices(source) & star_vertices(target))
+    common = np.flatnonzero(star_vertices(first, piece) & star_vertices(second, piece))
+    source, target = first.coordinates[piece], second.coordinates[piece]
     mean = source[common].mean(axis=0), target[common].mean(axis=0)
     worst = [_worst(source, target, source[k], target[k], int(k)) for k in common]
     best = int(np.argmax(worst))

@@ -6,11 +6,12 @@ from starskel.correspondence import Correspondence
 from starskel.decomposition.kernel import star_point, star_vertices
 from starskel.decomposition.ladder import climb
 from starskel.decomposition.links import links_of
-from starskel.decomposition.minimal import minimal_pieces
+from starskel.decomposition.minimal import Piece, minimal_pieces
 from starskel.decomposition.pieces import Decomposition
 from starskel.decomposition.reduce import reduce
 from starskel.decomposition.tiling import Tiling
 from starskel.errors import NoDecomposition
+from starskel.points import points_of
 from starskel.predicates import Floats
 from starskel.task import Progress, ShouldStop, Task
 from starskel.triangulation import triangulate
@@ -48,33 +49,55 @@ def decompose(
     """
     task = Task(progress, should_stop)
     task.reach(0)
-    pieces = minimal_pieces(links_of(triangulate(pair.source), triangulate(pair.target)), task.part(0.1, 0.5))
+    whole = tuple(range(len(pair.source)))
+    tiling = Tiling(points_of(pair.source), points_of(pair.target), (whole,))
+    pieces = _fewest(tiling, whole, task.part(0, 0.5))
     if pieces is not None:
-        tiling = Tiling(pair.source, pair.target, tuple(pieces))
+        tiling = tiling.replace(whole, pieces)
     elif steiner:
-        tiling = climb(pair.source, pair.target, task.part(0.5, 0.9))
-        tiling = reduce(tiling, len(pair.source), task.part(0.9, 1))
+        tiling = climb(tiling, whole, task.part(0.5, 0.9))
+        tiling = reduce(tiling, len(whole), task.part(0.9, 1))
     else:
         raise NoDecomposition(
             "the two polygons have no compatible star decomposition without Steiner vertices",
             "allow Steiner vertices, or change the marks",
         )
     task.reach(1)
-    return _with_origins(pair, tiling)
+    return _finished(pair, tiling)
 
 
-def _with_origins(pair: Correspondence, tiling: Tiling) -> Decomposition:
-    origins = [_origins(tiling.source[list(piece)], tiling.target[list(piece)]) for piece in tiling.pieces]
-    source, target = (np.array(side) for side in zip(*origins, strict=True))
-    return Decomposition(pair, tiling.source, tiling.target, tiling.pieces, source, target)
+def _fewest(tiling: Tiling, whole: Piece, task: Task) -> list[Piece] | None:
+    ring = np.array(whole)
+    if (star_vertices(tiling.source, ring) & star_vertices(tiling.target, ring)).any():
+        return [whole]
+    return minimal_pieces(links_of(triangulate(tiling.source, ring), triangulate(tiling.target, ring)), task)
 
 
-def _origins(source: Floats, target: Floats) -> tuple[Floats, Floats]:
+def _finished(pair: Correspondence, tiling: Tiling) -> Decomposition:
+    """Drop the Steiner vertices that no piece uses, and find the origins."""
+    n = len(pair.source)
+    rows = [*range(n), *sorted({v for piece in tiling.pieces for v in piece if v >= n})]
+    name = {old: new for new, old in enumerate(rows)}
+    source, target = (
+        np.array(side) for side in zip(*(_origins(tiling, p) for p in tiling.pieces), strict=True)
+    )
+    return Decomposition(
+        pair,
+        tiling.source.coordinates[rows],
+        tiling.target.coordinates[rows],
+        tuple(tuple(name[v] for v in piece) for piece in tiling.pieces),
+        source,
+        target,
+    )
+
+
+def _origins(tiling: Tiling, piece: Piece) -> tuple[Floats, Floats]:
     """Give the mean of the common star vertices (paper, section 2.4.2), or the centroids of both kernels."""
-    common = star_vertices(source) & star_vertices(target)
-    if common.any():
-        return source[common].mean(axis=0), target[common].mean(axis=0)
-    places = star_point(source), star_point(target)
-    if places[0] is None or places[1] is None:
+    ring = np.array(piece)
+    common = ring[star_vertices(tiling.source, ring) & star_vertices(tiling.target, ring)]
+    if len(common):
+        return tiling.source.coordinates[common].mean(axis=0), tiling.target.coordinates[common].mean(axis=0)
+    source, target = star_point(tiling.source, ring), star_point(tiling.target, ring)
+    if source is None or target is None:
         raise AssertionError("a piece is not star-shaped")
-    return places[0], places[1]
+    return source, target

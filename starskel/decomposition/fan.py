@@ -18,8 +18,18 @@ MOST_PLACES = 300
 """Candidates kept in each polygon, those that see most; all pairs of them are compared."""
 
 _WEIGHTS = np.array(
-    [(1, 1, 1), (4, 1, 1), (1, 4, 1), (1, 1, 4), (2, 2, 1), (2, 1, 2), (1, 2, 2)], dtype=float
+    [(31, 33, 36), (67, 16, 17), (15, 68, 17), (17, 15, 68), (41, 40, 19), (42, 19, 39), (18, 41, 41)],
+    dtype=float,
 )
+"""Weights of sampled places in a triangle: uneven, since even ones fall on lines of symmetric shapes."""
+
+
+@dataclass(frozen=True, eq=False)
+class Fan:
+    """A piece cut round a new Steiner vertex: star pieces between spokes, and the pockets that are left."""
+
+    tiling: Tiling
+    pockets: list[Piece]
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,26 +40,25 @@ class _Places:
     sees: Relation
 
 
-def fans(source: Triangulation, target: Triangulation, most: int) -> list[Tiling]:
-    """Give the most promising ways to place one Steiner vertex in both polygons, the best first.
+def fans(tiling: Tiling, piece: Piece, source: Triangulation, target: Triangulation, most: int) -> list[Fan]:
+    """Give the most promising ways to place one Steiner vertex in a piece, the best first.
 
-    The Steiner vertex is row n of the tiling. Every pocket has fewer vertices than the polygons.
+    Every pocket has fewer vertices than the piece.
     """
-    n = len(source.points.coordinates)
+    centre = len(tiling.source.coordinates)
     first, second = _places(source), _places(target)
-    chosen = _best(first.sees, second.sees, most)
-    rings = source.points.coordinates, target.points.coordinates
-    tilings = []
-    for i, j in chosen:
+    found = []
+    for i, j in _best(first.sees, second.sees, most):
         spokes = np.flatnonzero(first.sees[i] & second.sees[j])
-        places = np.concatenate([rings[0], first.at[[i]]]), np.concatenate([rings[1], second.at[[j]]])
-        tilings.append(Tiling(*places, _pieces(spokes, n)))
-    return tilings
+        stars, pockets = _cut(piece, spokes.tolist(), centre)
+        cut = tiling.replace(piece, [*stars, *pockets], first.at[[i]], second.at[[j]])
+        found.append(Fan(cut, pockets))
+    return found
 
 
 def _places(ground: Triangulation) -> _Places:
     """Sample the triangles; of the places that see the same vertices keep one."""
-    corners = ground.points.coordinates[ground.triangles]
+    corners = ground.vertices[ground.triangles]
     weights = _WEIGHTS / _WEIGHTS.sum(axis=1, keepdims=True)
     samples = np.einsum("ws,fsx->fwx", weights, corners).reshape(-1, 2)
     sees = visibility_from(ground, samples).diagonal
@@ -84,20 +93,24 @@ def _shrinks(hidden: Relation) -> Relation:
     return shrinks
 
 
-def _pieces(spokes: np.ndarray, n: int) -> tuple[Piece, ...]:
-    """Cut along the spokes into pockets, and star pieces of the triangles between them."""
+def _cut(piece: Piece, spokes: list[int], centre: int) -> tuple[list[Piece], list[Piece]]:
+    """Cut a piece along spokes into star pieces, made of the triangles between spokes, and pockets."""
+    n = len(piece)
     if len(spokes) == n:  # the Steiner vertex stays, as a common star vertex of two halves
-        return (n, *range(n // 2 + 1)), (n, *range(n // 2, n), 0)
+        half = n // 2
+        return [(centre, *piece[: half + 1]), (centre, *piece[half:], piece[0])], []
     gaps = np.flatnonzero(np.diff(spokes, append=spokes[0] + n) > 1)
-    first = np.roll(spokes, -1 - gaps[0])  # begin behind a pocket, so that no run of triangles is cut in two
-    pieces: list[Piece] = []
-    star = [int(first[0])]
-    for a, b in pairwise([*first.tolist(), int(first[0])]):
+    first = np.roll(
+        spokes, -1 - gaps[0]
+    ).tolist()  # behind a pocket, so that no run of triangles is cut in two
+    stars, pockets = [], []
+    star = [first[0]]
+    for a, b in pairwise([*first, first[0]]):
         if (b - a) % n == 1:
             star.append(b)
             continue
-        pieces.append((n, *((a + step) % n for step in range((b - a) % n + 1))))
+        pockets.append((centre, *(piece[(a + step) % n] for step in range((b - a) % n + 1))))
         if len(star) > 1:
-            pieces.append((n, *star))
+            stars.append((centre, *(piece[v] for v in star)))
         star = [b]
-    return tuple(pieces)
+    return stars, pockets

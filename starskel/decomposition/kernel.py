@@ -2,53 +2,56 @@
 
 import numpy as np
 
-from starskel.points import Points, points_of
+from starskel.points import Indices, Points, points_of
 from starskel.polygon import signed_area
-from starskel.predicates import ROUNDING, Floats, orientation
+from starskel.predicates import ROUNDING, Floats, Signs
+from starskel.visibility import Relation
 
 
-def star_vertices(ring: Floats) -> np.ndarray:
-    """Give for each vertex of a simple ring whether it lies in the kernel, exactly."""
-    points = points_of(ring)
-    start, end = _edges(points)
-    viewers = np.arange(len(ring))[:, None]
-    return np.asarray(np.all(points.orientation(start[None], end[None], viewers) >= 0, axis=1))
+def star_vertices(points: Points, ring: Indices) -> Relation:
+    """Give for each vertex of a simple ring over points whether it lies in the kernel, exactly."""
+    return np.asarray(np.all(_sides(points, ring, ring) >= 0, axis=1))
 
 
-def star_point(ring: Floats) -> Floats | None:
+def star_point(points: Points, ring: Indices) -> Floats | None:
     """Give a point strictly inside the kernel: the kernel's centroid; None where the kernel has no inside.
 
     The answer is proven by exact predicates; a kernel too thin for floats to name a point in it is none.
     """
-    points = points_of(ring)
-    start, end = (ring[rows] for rows in _edges(points))
-    cell = _clip(ring, start, end)
+    cell = _clip(points.coordinates[ring[_corners(points, ring)]])
     if len(cell) < 3:
         return None
     centre = _centroid(cell)
-    return centre if (orientation(start, end, centre[None]) > 0).all() else None
+    free = np.array([len(points.coordinates)])
+    sides = _sides(points.with_free(centre[None]), ring, free)
+    return centre if (sides > 0).all() else None
 
 
 def is_star_point(ring: Floats, place: Floats) -> bool:
     """Tell whether a place, known up to rounding, sees the whole of a simple ring, its boundary included."""
-    start, end = (ring[rows] for rows in _edges(points_of(ring)))
-    edge = end - start
+    points = points_of(ring)
+    start = ring[_corners(points, np.arange(len(ring)))]
+    edge = np.roll(start, -1, axis=0) - start
     normal = np.stack([-edge[:, 1], edge[:, 0]], axis=1) / np.hypot(*edge.T)[:, None]
     inward = (normal * (place - start)).sum(axis=1)
     return bool((inward >= -ROUNDING * np.abs(ring).max()).all())
 
 
-def _edges(points: Points) -> tuple[np.ndarray, np.ndarray]:
-    """Give the corners at the starts and ends of the edges; straight vertices bound nothing."""
-    corners = np.flatnonzero(~points.straight)
-    return corners, np.roll(corners, -1)
+def _sides(points: Points, ring: Indices, viewers: Indices) -> Signs:
+    """Tell on which side of each edge each viewer is: 1 inside, 0 on its line, -1 outside."""
+    return points.orientation(ring[None], np.roll(ring, -1)[None], viewers[:, None])
 
 
-def _clip(ring: Floats, start: Floats, end: Floats) -> Floats:
+def _corners(points: Points, ring: Indices) -> Indices:
+    """Give the places in the ring of its corners; straight vertices bound nothing."""
+    return np.flatnonzero(points.orientation(np.roll(ring, 1), ring, np.roll(ring, -1)))
+
+
+def _clip(ring: Floats) -> Floats:
     """Cut the box of the ring to the left sides of all edges."""
     (left, low), (right, high) = ring.min(axis=0), ring.max(axis=0)
     cell = np.array([(left, low), (right, low), (right, high), (left, high)])
-    for a, b in zip(start, end, strict=True):
+    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
         side = (b[0] - a[0]) * (cell[:, 1] - a[1]) - (b[1] - a[1]) * (cell[:, 0] - a[0])
         if side.min() >= 0:
             continue

@@ -8,60 +8,52 @@ climb.
 
 import numpy as np
 
-from starskel.decomposition.fan import fans
-from starskel.decomposition.kernel import star_point, star_vertices
+from starskel.decomposition.fan import Fan, fans
 from starskel.decomposition.links import links_of
-from starskel.decomposition.minimal import least_stuck_cells
+from starskel.decomposition.minimal import Piece, least_stuck_cells
 from starskel.decomposition.overlay import crossings, overlay
 from starskel.decomposition.tiling import Tiling
-from starskel.predicates import Floats
 from starskel.task import Task
 from starskel.triangulation import Triangulation, triangulate
+
+Grounds = tuple[Triangulation, Triangulation]
 
 TRIED = 4
 """Places of a Steiner vertex that are tried to the end before one is chosen."""
 
 
-def climb(source: Floats, target: Floats, task: Task, tried: int = TRIED) -> Tiling:
-    """Tile two simple rings of equal count by pieces star-shaped in both, with few Steiner vertices."""
-    whole = Tiling(source, target, (tuple(range(len(source))),))
-    if is_star_piece(source, target):
-        return whole
-    grounds = triangulate(source), triangulate(target)
-    cells = Tiling(source, target, tuple(least_stuck_cells(links_of(*grounds), task.part(0, 0))))
-    solved = []
-    for at, cell in enumerate(cells.pieces):
-        rings = source[list(cell)], target[list(cell)]
-        if not is_star_piece(*rings):
-            ground = grounds if len(cell) == len(source) else (triangulate(rings[0]), triangulate(rings[1]))
-            solved.append((at, _free(*ground, task.part(at / len(cells.pieces), 1), tried)))
-    return cells.refine_all(solved)
-
-
-def is_star_piece(source: Floats, target: Floats) -> bool:
-    """Tell whether two corresponding rings have a common star vertex, or kernels with an inside."""
-    common = star_vertices(source) & star_vertices(target)
-    return bool(common.any()) or (star_point(source) is not None and star_point(target) is not None)
-
-
-def _free(source: Triangulation, target: Triangulation, task: Task, tried: int) -> Tiling:
-    """Tile a stuck cell."""
+def climb(tiling: Tiling, cell: Piece, task: Task, tried: int = TRIED) -> Tiling:
+    """Replace a cell by pieces that are star-shaped in both polygons, with few Steiner vertices."""
     task.reach(0)
-    best: Tiling | None = None
-    for fan in fans(source, target, tried):
-        tiling = _fill_pockets(fan, task)
-        if best is None or tiling.cost() < best.cost():
-            best = tiling
-    needed = len(source.points.coordinates) + crossings(source, target)
-    if best is None or needed < len(best.source):
-        return overlay(source, target)
+    if tiling.is_star(cell):
+        return tiling
+    grounds = _triangulate(tiling, cell)
+    parts = [tuple(cell[v] for v in part) for part in least_stuck_cells(links_of(*grounds), task.part(0, 0))]
+    tiling = tiling.replace(cell, parts)
+    for at, part in enumerate(parts):
+        if not tiling.is_star(part):
+            ground = grounds if len(part) == len(cell) else _triangulate(tiling, part)
+            tiling = _free(tiling, part, ground, task.part(at / len(parts), 1), tried)
+    return tiling
+
+
+def _free(tiling: Tiling, cell: Piece, grounds: Grounds, task: Task, tried: int) -> Tiling:
+    """Replace a stuck cell."""
+    filled = [_fill(fan, task) for fan in fans(tiling, cell, *grounds, tried)]
+    best = min(filled, key=Tiling.cost, default=None)
+    needed = len(tiling.source.coordinates) + crossings(*grounds)
+    if best is None or needed < best.cost()[0]:
+        return overlay(tiling, cell, *grounds)
     return best
 
 
-def _fill_pockets(fan: Tiling, task: Task) -> Tiling:
-    solved = []
-    for at, pocket in enumerate(fan.pieces):
-        rows = np.array(pocket)
-        if not is_star_piece(fan.source[rows], fan.target[rows]):
-            solved.append((at, climb(fan.source[rows], fan.target[rows], task.part(0, 0), tried=1)))
-    return fan.refine_all(solved)
+def _fill(fan: Fan, task: Task) -> Tiling:
+    tiling = fan.tiling
+    for pocket in fan.pockets:
+        tiling = climb(tiling, pocket, task.part(0, 0), tried=1)
+    return tiling
+
+
+def _triangulate(tiling: Tiling, cell: Piece) -> Grounds:
+    ring = np.array(cell)
+    return triangulate(tiling.source, ring), triangulate(tiling.target, ring)

@@ -11,7 +11,7 @@ from starskel.visibility import visibility
 def links_of(source: Triangulation, target: Triangulation) -> Links:
     """Give the links of a pair; a diagonal costs its mean length, each in the size of its polygon."""
     first, second = visibility(source), visibility(target)
-    lengths = _lengths(source.points.coordinates) + _lengths(target.points.coordinates)
+    lengths = _lengths(source.vertices) + _lengths(target.vertices)
     price = lengths / (2 * len(lengths) * lengths.max())
     return Links(first.sees & second.sees, first.diagonal & second.diagonal, price)
 

@@ -20,25 +20,30 @@ from starskel.triangulation import Triangulation
 Chord = tuple[int, int]
 
 
-def overlay(source: Triangulation, target: Triangulation) -> Tiling:
-    """Tile two rings of equal count by convex pieces; each crossing of diagonals is a Steiner vertex."""
-    n = len(source.points.coordinates)
+def overlay(tiling: Tiling, piece: Piece, source: Triangulation, target: Triangulation) -> Tiling:
+    """Replace a piece, given triangulated in both polygons, by pieces that are convex in both.
+
+    Each crossing of diagonals becomes a Steiner vertex.
+    """
+    n = len(piece)
     first, second = _chords(source), _chords(target)
     names = _name_crossings(first, second, n)
     tracks = {chord: _crossed(chord, second, n) for chord in first}
     lines = [[a, *(names[(a, b), o] for o in tracks[a, b]), b] for a, b in first]
     across = [[a, *(names[o, (a, b)] for o in _crossed((a, b), first, n)), b] for a, b in second]
-    return Tiling(
-        np.concatenate([source.points.coordinates, _spread(source.points.coordinates, lines, len(names))]),
-        np.concatenate([target.points.coordinates, _spread(target.points.coordinates, across, len(names))]),
-        _faces(n, [*lines, *(line for line in across if not _doubled(line, tracks))]),
+    faces = _faces(n, [*lines, *(line for line in across if not _doubled(line, tracks))])
+    rows = [*piece, *(len(tiling.source.coordinates) + np.arange(len(names))).tolist()]
+    return tiling.replace(
+        piece,
+        [tuple(rows[v] for v in face) for face in faces],
+        _spread(source.vertices, lines, len(names)),
+        _spread(target.vertices, across, len(names)),
     )
 
 
 def crossings(source: Triangulation, target: Triangulation) -> int:
     """Count the Steiner vertices that an overlay of two triangulations needs."""
-    n = len(source.points.coordinates)
-    return len(_name_crossings(_chords(source), _chords(target), n))
+    return len(_name_crossings(_chords(source), _chords(target), len(source.ring)))
 
 
 def _chords(ground: Triangulation) -> list[Chord]:

@@ -8,7 +8,6 @@ from itertools import pairwise
 
 import numpy as np
 
-from starskel.decomposition.ladder import is_star_piece
 from starskel.decomposition.minimal import Piece
 from starskel.decomposition.tiling import Tiling
 from starskel.polygon import crossing_edges, signed_area
@@ -16,14 +15,18 @@ from starskel.task import Task
 
 
 def reduce(tiling: Tiling, n: int, task: Task) -> Tiling:
-    """Give a tiling of the same two n-gons with fewer, or as many, Steiner vertices and pieces."""
+    """Give a tiling of the same two n-gons with fewer, or as many, Steiner vertices and pieces.
+
+    Points that no piece uses stay behind.
+    """
     while True:
         pieces = list(tiling.pieces)
         _collapse_all(tiling, pieces, n, task)
         _merge_all(tiling, pieces, task)
+        reduced = Tiling(tiling.source, tiling.target, tuple(pieces))
         if len(pieces) == len(tiling.pieces):
-            return _compact(tiling, pieces, n)
-        tiling = Tiling(tiling.source, tiling.target, tuple(pieces))
+            return reduced
+        tiling = reduced
 
 
 def _collapse_all(tiling: Tiling, pieces: list[Piece], n: int, task: Task) -> None:
@@ -56,11 +59,10 @@ def _renamed(piece: Piece, vertex: int, name: int) -> Piece | None:
 
 def _holds(tiling: Tiling, piece: Piece) -> bool:
     """Tell whether a ring of vertices is a star piece in both polygons."""
-    rows = list(piece)
-    rings = tiling.source[rows], tiling.target[rows]
+    rings = [side.coordinates[list(piece)] for side in (tiling.source, tiling.target)]
     if any(signed_area(ring) <= 0 for ring in rings) or any(len(crossing_edges(ring)) for ring in rings):
         return False
-    return is_star_piece(*rings)
+    return tiling.is_star(piece)
 
 
 def _merge_all(tiling: Tiling, pieces: list[Piece], task: Task) -> None:
@@ -74,7 +76,7 @@ def _merge_all(tiling: Tiling, pieces: list[Piece], task: Task) -> None:
             if pair in refused or not (pair[0] in pieces and pair[1] in pieces):
                 continue
             union = _union(*pair)
-            if union is not None and is_star_piece(tiling.source[list(union)], tiling.target[list(union)]):
+            if union is not None and tiling.is_star(union):
                 pieces.remove(pair[0])
                 pieces[pieces.index(pair[1])] = union
                 merged = True
@@ -86,10 +88,10 @@ def _neighbouring(tiling: Tiling, pieces: list[Piece]) -> list[tuple[Piece, Piec
     owner = {edge: piece for piece in pieces for edge in _edges(piece)}
     shared = sorted((a, b) for a, b in owner if a < b and (b, a) in owner)
     ends = np.array(shared, dtype=np.intp).reshape(-1, 2)
-    length = sum(
-        np.hypot(*(ring[ends[:, 0]] - ring[ends[:, 1]]).T) for ring in (tiling.source, tiling.target)
-    )
-    longest_first = np.argsort(-np.asarray(length), kind="stable")
+    length = np.zeros(len(ends))
+    for side in (tiling.source, tiling.target):
+        length += np.hypot(*(side.coordinates[ends[:, 0]] - side.coordinates[ends[:, 1]]).T)
+    longest_first = np.argsort(-length, kind="stable")
     return [(owner[a, b], owner[b, a]) for a, b in (shared[i] for i in longest_first)]
 
 
@@ -107,12 +109,3 @@ def _union(first: Piece, second: Piece) -> Piece | None:
 
 def _edges(piece: Piece) -> list[tuple[int, int]]:
     return list(pairwise((*piece, piece[0])))
-
-
-def _compact(tiling: Tiling, pieces: list[Piece], n: int) -> Tiling:
-    """Drop the vertices that no piece uses any more."""
-    used = sorted({v for piece in pieces for v in piece if v >= n})
-    rows = [*range(n), *used]
-    name = {old: new for new, old in enumerate(rows)}
-    renamed = tuple(tuple(name[v] for v in piece) for piece in pieces)
-    return Tiling(tiling.source[rows], tiling.target[rows], renamed)

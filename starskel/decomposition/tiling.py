@@ -1,48 +1,49 @@
-"""Tilings of a pair of rings while they are being made: rings, Steiner vertices, pieces."""
+"""A tiling while it is being made: two sets of points, and the pieces over them."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.decomposition.kernel import star_point, star_vertices
 from starskel.decomposition.minimal import Piece
+from starskel.points import Points
 from starskel.predicates import Floats
+
+NOWHERE = np.empty((0, 2))
 
 
 @dataclass(frozen=True, eq=False)
 class Tiling:
-    """Pieces that tile two rings in the same way.
+    """Pieces that tile two polygons in the same way.
 
     Attributes
     ----------
-    source, target : (m, 2) arrays
-        The vertices of the rings, then the Steiner vertices.
+    source, target : Points
+        The vertices of the polygons, then the Steiner vertices.
     pieces : tuple of tuples of int
         For each piece the rows of its vertices, counter-clockwise.
     """
 
-    source: Floats
-    target: Floats
+    source: Points
+    target: Points
     pieces: tuple[Piece, ...]
 
     def cost(self) -> tuple[int, int]:
         """Give the price of this tiling: vertices, Steiner ones among them, then pieces."""
-        return len(self.source), len(self.pieces)
+        return len(self.source.coordinates), len(self.pieces)
 
-    def refine(self, cell: int, inner: "Tiling") -> "Tiling":
-        """Replace a piece by a tiling of it, whose ring is that piece's."""
-        return self.refine_all([(cell, inner)])
+    def replace(
+        self, piece: Piece, pieces: Sequence[Piece], source: Floats = NOWHERE, target: Floats = NOWHERE
+    ) -> "Tiling":
+        """Put pieces in the place of one, and add Steiner vertices at (k, 2) places in source and target."""
+        rest = tuple(other for other in self.pieces if other != piece)
+        return Tiling(self.source.with_free(source), self.target.with_free(target), (*rest, *pieces))
 
-    def refine_all(self, inner: Sequence[tuple[int, "Tiling"]]) -> "Tiling":
-        """Replace several pieces by tilings of them."""
-        source, target = [self.source], [self.target]
-        count = len(self.source)
-        pieces = [piece for at, piece in enumerate(self.pieces) if at not in dict(inner)]
-        for cell, tiling in inner:
-            ring = self.pieces[cell]
-            rows = np.concatenate([ring, count + np.arange(len(tiling.source) - len(ring))])
-            pieces += [tuple(rows[list(piece)].tolist()) for piece in tiling.pieces]
-            source.append(tiling.source[len(ring) :])
-            target.append(tiling.target[len(ring) :])
-            count += len(tiling.source) - len(ring)
-        return Tiling(np.concatenate(source), np.concatenate(target), tuple(pieces))
+    def is_star(self, piece: Piece) -> bool:
+        """Tell whether a simple ring of vertices has a common star vertex, or kernels with an inside."""
+        ring = np.array(piece)
+        common = star_vertices(self.source, ring) & star_vertices(self.target, ring)
+        if common.any():
+            return True
+        return star_point(self.source, ring) is not None and star_point(self.target, ring) is not None

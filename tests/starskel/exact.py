@@ -50,9 +50,9 @@ def stops(p: Point, q: Point, ring: list[Point]) -> list[Fraction]:
     return sorted(t for t in found if 0 <= t <= 1)
 
 
-def relations(i: int, j: int, ring: list[Point]) -> tuple[bool, bool]:
-    """Whether i sees j, and whether ij is a diagonal."""
-    p, q = ring[i], ring[j]
+def relations(i: int, j: int, points: list[Point], ring: list[Point]) -> tuple[bool, bool]:
+    """Whether point i sees point j, and whether ij is a diagonal of the ring."""
+    p, q = points[i], points[j]
 
     def at(t: Fraction) -> Point:
         return p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])
@@ -69,6 +69,6 @@ def all_relations(ring) -> tuple[np.ndarray, np.ndarray]:
     sees, diagonal = np.eye(n, dtype=bool), np.zeros((n, n), dtype=bool)
     for i in range(n):
         for j in range(i):
-            sees[i, j], diagonal[i, j] = relations(i, j, exact)
+            sees[i, j], diagonal[i, j] = relations(i, j, exact, exact)
             sees[j, i], diagonal[j, i] = sees[i, j], diagonal[i, j]
     return sees, diagonal

@@ -1,6 +1,5 @@
-"""Compatible star decompositions by trying everything: slow, plain, and independent of the library's tables."""
+"""Compatible star decompositions by trying everything: slow, plain, and independent of the tables."""
 
-from functools import cache
 from itertools import pairwise
 
 
@@ -8,39 +7,29 @@ def fewest_pieces(sees, diagonal) -> int | None:
     """The least number of star pieces of two polygons, over all ways to cut with common diagonals."""
     n = len(sees)
     cuts = [(i, j) for i in range(n) for j in range(i + 2, n) if diagonal[i, j]]
+    ways = (pieces for chosen in crossing_free(cuts) if (pieces := cut(tuple(range(n)), chosen)))
+    return min((len(pieces) for pieces in ways if all(is_star(sees, p) for p in pieces)), default=None)
 
-    def crossing(a, b):
-        (i, j), (k, m) = sorted((a, b))
-        return i < k < j < m
 
-    best = None
+def crossing_free(cuts, chosen=()):
+    """All sets of cuts that do not cross."""
+    yield chosen
+    for at, (i, j) in enumerate(cuts):
+        if not any(i < k < j < m or k < i < m < j for k, m in chosen):
+            yield from crossing_free(cuts[at + 1 :], (*chosen, (i, j)))
 
-    def pieces_of(chosen):
-        @cache
-        def cut(ring):
-            for a, b in chosen:
-                if a in ring and b in ring:
-                    i, j = ring.index(a), ring.index(b)
-                    if 1 < j - i < len(ring) - 1:
-                        return (*cut(ring[i : j + 1]), *cut(ring[: i + 1] + ring[j:]))
-            return (ring,)
 
-        return cut(tuple(range(n)))
+def cut(ring, chosen):
+    for a, b in chosen:
+        if a in ring and b in ring:
+            i, j = sorted((ring.index(a), ring.index(b)))
+            if 1 < j - i < len(ring) - 1:
+                return (*cut(ring[i : j + 1], chosen), *cut(ring[: i + 1] + ring[j:], chosen))
+    return (ring,)
 
-    def try_from(start, chosen):
-        nonlocal best
-        if best is not None and len(chosen) + 1 >= best:
-            return
-        pieces = pieces_of(tuple(chosen))
-        if all(any(all(sees[k][v] for v in piece) for k in piece) for piece in pieces):
-            best = len(pieces)
-            return
-        for at in range(start, len(cuts)):
-            if not any(crossing(cuts[at], other) for other in chosen):
-                try_from(at + 1, [*chosen, cuts[at]])
 
-    try_from(0, [])
-    return best
+def is_star(sees, piece) -> bool:
+    return any(all(sees[k][v] for v in piece) for k in piece)
 
 
 def pairs_of_ring(ring) -> set[tuple[int, int]]:

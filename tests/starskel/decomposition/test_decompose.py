@@ -1,0 +1,236 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from starskel.correspondence import Correspondence
+from starskel.decomposition import Decomposition, decompose
+from starskel.decomposition.ladder import climb
+from starskel.decomposition.minimal import Piece
+from starskel.decomposition.overlay import crossings, overlay
+from starskel.decomposition.tiling import Tiling
+from starskel.decomposition.verify import faults
+from starskel.errors import Cancelled, NoDecomposition
+from starskel.points import points_of
+from starskel.task import Task
+from starskel.triangulation import Triangulation, triangulate
+from tests.families import blob, comb, related, spiral, subdivided, turned, two_opt
+
+
+def paired(source, target) -> Correspondence:
+    rows = np.arange(len(source))
+    return Correspondence(source, target, (), rows, rows)
+
+
+def uncut(source, target) -> tuple[Tiling, Piece]:
+    whole = tuple(range(len(source)))
+    return Tiling(points_of(source), points_of(target), (whole,)), whole
+
+
+def grounds(tiling: Tiling, piece: Piece) -> tuple[Triangulation, Triangulation]:
+    return triangulate(tiling.source, np.array(piece)), triangulate(tiling.target, np.array(piece))
+
+
+def mirrored(ring):
+    return np.roll((ring * (-1, 1))[::-1], 1, axis=0)
+
+
+PAIRS = {
+    "random 12": (two_opt(12, 1), two_opt(12, 1001)),
+    "random 20": (two_opt(20, 2), two_opt(20, 1002)),
+    "random 40": (two_opt(40, 3), two_opt(40, 1003)),
+    "related": related(20, 4),
+    "grid": (two_opt(20, 5, 6), two_opt(20, 1005, 6)),
+    "fine grid": (two_opt(30, 5, 12), two_opt(30, 1005, 12)),
+    "comb against itself shifted": (comb(4), np.roll(comb(4), 5, axis=0)),
+    "spirals": (spiral(40, 2), spiral(40, 1.2)),
+    "spirals of two hands": (spiral(24, 1.5), spiral(24, 1.5, -1)),
+    "straight runs": (subdivided(two_opt(8, 6), 4), turned(subdivided(two_opt(8, 1006), 4), 0.5)),
+    "blobs": (blob(100, 1), blob(100, 2)),
+    "triangles": (np.array([(0, 0), (1, 0), (0, 1.0)]), np.array([(0, 0), (5, 0), (9, 0.1)])),
+}
+
+
+@pytest.fixture(params=list(PAIRS))
+def pair(request) -> Correspondence:
+    return paired(*PAIRS[request.param])
+
+
+def check(pair: Correspondence) -> Decomposition:
+    decomposition = decompose(pair)
+    assert faults(decomposition) == []
+    return decomposition
+
+
+MOVES = {
+    "moved": lambda ring: ring + np.array((1e6, -3)),
+    "turned": lambda ring: turned(ring, 0.7),
+    "scaled up": lambda ring: ring * 1e6,
+    "scaled down": lambda ring: ring * 1e-6,
+    "mirrored": mirrored,
+    "start shifted": lambda ring: np.roll(ring, 3, axis=0),
+}
+
+
+@pytest.mark.parametrize("move", list(MOVES))
+def test_every_pair_is_decomposed_wherever_it_lies(pair, move):
+    check(paired(MOVES[move](pair.source), MOVES[move](pair.target)))
+
+
+@pytest.mark.parametrize("move", list(MOVES))
+def test_the_fewest_pieces_are_as_few_wherever_the_pair_lies(move):
+    source, target = blob(60, 1), blob(60, 2)
+    moved = decompose(paired(MOVES[move](source), MOVES[move](target)), steiner=False)
+    assert len(moved.pieces) == len(decompose(paired(source, target), steiner=False).pieces)
+
+
+def test_source_and_target_may_be_swapped(pair):
+    there, back = check(pair), check(paired(pair.target, pair.source))
+    if len(there.source) == len(pair):  # Steiner vertices are found by search, whose order may matter
+        assert len(there.pieces) == len(back.pieces)
+
+
+def test_pairs_of_files_are_decomposed_without_fault(shape_pair):
+    source, target = shape_pair.source.vertices, shape_pair.target.vertices
+    n = min(len(source), len(target))
+    if n > 200:
+        pytest.skip("covered by the benchmarks")
+    check(paired(source, source))
+
+
+def test_equal_input_gives_equal_output(pair):
+    first, second = decompose(pair), decompose(pair)
+    assert first.pieces == second.pieces
+    for name in ("source", "target", "source_origins", "target_origins"):
+        np.testing.assert_array_equal(getattr(first, name), getattr(second, name))
+
+
+def test_one_star_piece_where_a_vertex_sees_all_of_both():
+    square = np.array([(0, 0), (2, 0), (2, 2), (0, 2)], dtype=float)
+    decomposition = check(paired(square, square * 3))
+    assert decomposition.pieces == ((0, 1, 2, 3),)
+    np.testing.assert_array_equal(decomposition.target_origins, [(3, 3)])
+
+
+EIGHT = (
+    np.array([(0, 0), (6, 0), (6, 2), (2, 2), (2, 4), (6, 4), (6, 6), (0, 6)], dtype=float),
+    np.array([(0, 6), (0, 4), (4, 4), (4, 2), (0, 2), (0, 0), (6, 0), (6, 6)], dtype=float),
+)
+
+
+def test_without_steiner_vertices_some_pairs_have_no_decomposition():
+    """As in the paper's Figure 8: no diagonal of the one is a diagonal of the other."""
+    pair = paired(*EIGHT)
+    with pytest.raises(NoDecomposition, match="without Steiner vertices"):
+        decompose(pair, steiner=False)
+    decomposition = check(pair)
+    assert len(decomposition.source) - 8 <= 2
+    assert len(decomposition.pieces) <= 4
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_overlay_alone_is_a_decomposition(seed):
+    source, target = two_opt(16, seed), two_opt(16, seed + 1000)
+    tiling, whole = uncut(source, target)
+    both = grounds(tiling, whole)
+    laid = overlay(tiling, whole, *both)
+    sides = laid.source.coordinates, laid.target.coordinates
+    assert len(sides[0]) - 16 == crossings(*both) > 0
+    origins = [np.array([side[list(p)].mean(axis=0) for p in laid.pieces]) for side in sides]
+    assert faults(Decomposition(paired(source, target), *sides, laid.pieces, *origins)) == []
+
+
+def test_the_ladder_needs_fewer_steiner_vertices_than_the_overlay():
+    climbed, laid = 0, 0
+    for seed in range(8):
+        source, target = two_opt(20, seed), two_opt(20, seed + 1000)
+        tiling, whole = uncut(source, target)
+        needed = crossings(*grounds(tiling, whole))
+        placed = len(climb(tiling, whole, Task()).source.coordinates) - 20
+        assert placed <= needed
+        climbed, laid = climbed + placed, laid + needed
+    assert climbed * 5 < laid
+
+
+def test_progress_rises_to_one():
+    reached = []
+    decompose(paired(*PAIRS["random 20"]), progress=reached.append)
+    assert reached == sorted(reached)
+    assert reached[-1] == 1
+
+
+@pytest.mark.parametrize("calls", [0, 1, 20])
+def test_should_stop_ends_the_work(calls):
+    asked = 0
+
+    def should_stop() -> bool:
+        nonlocal asked
+        asked += 1
+        return asked > calls
+
+    with pytest.raises(Cancelled):
+        decompose(paired(*PAIRS["random 40"]), should_stop=should_stop)
+    assert asked == calls + 1
+
+
+class TestProof:
+    """verify.py finds what is wrong with deliberately broken decompositions."""
+
+    @pytest.fixture
+    def right(self) -> Decomposition:
+        return check(paired(*PAIRS["random 20"]))
+
+    def test_a_missing_piece(self, right):
+        broken = replace(
+            right,
+            pieces=right.pieces[1:],
+            source_origins=right.source_origins[1:],
+            target_origins=right.target_origins[1:],
+        )
+        assert any("is in no piece" in fault or "has no partner" in fault for fault in faults(broken))
+
+    def test_a_piece_that_stands_twice(self, right):
+        broken = replace(
+            right,
+            pieces=(*right.pieces, right.pieces[0]),
+            source_origins=np.concatenate([right.source_origins, right.source_origins[:1]]),
+            target_origins=np.concatenate([right.target_origins, right.target_origins[:1]]),
+        )
+        assert any("stands 2 times" in fault for fault in faults(broken))
+
+    def test_a_clockwise_piece(self, right):
+        broken = replace(right, pieces=(right.pieces[0][::-1], *right.pieces[1:]))
+        assert any("not counter-clockwise" in fault for fault in faults(broken))
+
+    def test_an_origin_outside_the_kernel(self, right):
+        origins = right.target_origins.copy()
+        origins[0] += 1000
+        assert any("not seen whole" in fault for fault in faults(replace(right, target_origins=origins)))
+
+    def test_a_missing_origin(self, right):
+        assert any(
+            "origins for" in fault
+            for fault in faults(replace(right, source_origins=right.source_origins[1:]))
+        )
+
+    def test_vertices_that_are_not_the_polygons(self, right):
+        source = right.source.copy()
+        source[0] += 1e-9
+        assert any("first vertices" in fault for fault in faults(replace(right, source=source)))
+
+    def test_a_piece_that_crosses_itself(self, right):
+        piece = max(right.pieces, key=len)
+        crossed = (piece[0], piece[2], piece[1], *piece[3:])
+        pieces = tuple(crossed if p == piece else p for p in right.pieces)
+        assert any(
+            "not simple" in fault or "not counter" in fault for fault in faults(replace(right, pieces=pieces))
+        )
+
+    def test_pieces_merged_beyond_what_a_star_can_be(self, right):
+        whole = replace(
+            right,
+            pieces=(tuple(range(20)),),
+            source_origins=right.source_origins[:1],
+            target_origins=right.target_origins[:1],
+        )
+        assert any("not seen whole" in fault for fault in faults(whole))

@@ -1,0 +1,76 @@
+import numpy as np
+import pytest
+
+from starskel.decomposition.links import links_of
+from starskel.decomposition.minimal import least_stuck_cells, minimal_pieces
+from starskel.points import points_of
+from starskel.task import Task
+from starskel.triangulation import triangulate
+from tests.families import related, turned, two_opt
+from tests.starskel.decomposition.exhaustive import fewest_pieces, pairs_of_ring
+
+
+def links(source, target):
+    ring = np.arange(len(source))
+    return links_of(triangulate(points_of(source), ring), triangulate(points_of(target), ring))
+
+
+def pair(kind, seed):
+    if kind == "related":
+        return related(9, seed)
+    if kind == "one shape":
+        return two_opt(9, seed), turned(two_opt(9, seed), 1)
+    n, grid = {"random": (8, 0), "grid": (9, 4), "wide grid": (9, 6)}[kind]
+    return two_opt(n, seed, grid), two_opt(n, seed + 1000, grid)
+
+
+@pytest.mark.parametrize("kind", ["random", "grid", "wide grid", "related", "one shape"])
+def test_the_count_equals_that_of_exhaustive_search(kind):
+    for seed in range(80):
+        common = links(*pair(kind, seed))
+        pieces = minimal_pieces(common, Task())
+        assert (pieces and len(pieces)) == fewest_pieces(common.sees, common.diagonal), seed
+
+
+@pytest.mark.parametrize("n", [30, 60])
+def test_pieces_are_bounded_by_links_and_have_a_common_star_vertex(n):
+    for seed in range(4):
+        source = two_opt(n, seed)
+        common = links(source, source)
+        pieces = minimal_pieces(common, Task())
+        assert pieces is not None
+        for piece in pieces:
+            assert common.sees[np.ix_(piece, piece)].all(axis=1).any()
+            inner = pairs_of_ring(piece) - pairs_of_ring(range(n))
+            assert all(common.diagonal[a, b] for a, b in inner)
+
+
+def test_among_equally_many_pieces_the_cuts_are_shortest():
+    """A cross of four arms needs three cuts at least; all of them across arms, none along."""
+    ring = np.array(
+        [(4, 0), (5, 0), (5, 4), (9, 4), (9, 5), (5, 5), (5, 9), (4, 9), (4, 5), (0, 5), (0, 4), (4, 4)]
+    )
+    bent = ring + 0.0
+    bent[[0, 1]] += (2, 0)
+    common = links(ring.astype(float), bent)
+    pieces = minimal_pieces(common, Task())
+    assert pieces is not None
+    cost = sum(common.price[a, b] for p in pieces for a, b in pairs_of_ring(p) - pairs_of_ring(range(12)))
+    longest = np.sort(common.price[common.diagonal])[-1]
+    assert cost < longest * len(pieces)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_stuck_cells_and_star_pieces_tile_together(seed):
+    source, target = two_opt(20, seed), two_opt(20, seed + 1000)
+    common = links(source, target)
+    cells = least_stuck_cells(common, Task())
+    edges = [edge for cell in cells for edge in zip(cell, (*cell[1:], cell[0]), strict=True)]
+    assert len(set(edges)) == len(edges)
+    assert {(a, b) for a, b in edges if (b, a) not in edges} == {(i, (i + 1) % 20) for i in range(20)}
+
+
+def test_the_same_input_gives_the_same_pieces():
+    source = two_opt(40, 3)
+    first, second = (minimal_pieces(links(source, source), Task()) for _ in range(2))
+    assert first == second

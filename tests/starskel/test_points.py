@@ -1,0 +1,56 @@
+import numpy as np
+import pytest
+
+from starskel.points import points_of
+from tests.families import blob, comb, subdivided, turned, two_opt
+
+
+def corners(points):
+    ring = np.arange(len(points.coordinates))
+    return np.flatnonzero(points.orientation(np.roll(ring, 1), ring, np.roll(ring, -1)))
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.3, 1.1, 2.5])
+@pytest.mark.parametrize("scale", [1.0, 1e-6, 1e6])
+def test_vertices_on_straight_runs_are_found_however_the_ring_is_turned(angle, scale):
+    ring = subdivided(two_opt(9, 4), 5)
+    points = points_of(turned(ring, angle) * scale)
+    np.testing.assert_array_equal(corners(points), np.arange(0, 45, 5))
+    expected = np.tile([0, 0.2, 0.4, 0.6, 0.8], 9)
+    np.testing.assert_allclose(points.share[points.rounded], expected[points.rounded], atol=1e-9)
+
+
+def test_far_from_the_origin_the_rounding_of_the_coordinates_counts():
+    ring = turned(subdivided(comb(3), 4), 0.7) + 1e6
+    assert len(corners(points_of(ring))) == len(comb(3)) - 1  # one vertex of the comb is straight itself
+
+
+def test_gentle_curves_are_no_straight_runs():
+    assert len(corners(points_of(blob(2000)))) == 2000
+
+
+def test_many_vertices_on_one_edge():
+    square = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], dtype=float)
+    points = points_of(turned(subdivided(square, 2500), 0.2))
+    np.testing.assert_array_equal(corners(points), [0, 2500, 5000, 7500])
+
+
+def test_straight_vertices_do_not_bend_their_run():
+    ring = turned(subdivided(np.array([(0, 0), (9, 1), (3, 8)], dtype=float), 7), 0.4)
+    points = points_of(ring)
+    run = np.arange(8)
+    i, j, k = np.meshgrid(run, run, run)
+    assert not points.orientation(i, j, k).any()
+
+
+def test_a_straight_vertex_is_beside_a_line_that_cuts_its_run_near_it():
+    ring = turned(subdivided(np.array([(0, 0), (9, 1), (3, 8)], dtype=float), 3), 0.4)
+    points = points_of(ring)
+    exact = ring[0] + points.share[1] * (ring[3] - ring[0])
+    near = points.with_free(np.array([exact + (ring[6] - exact) / 2]))
+    one, six, free = (np.array([i]) for i in (1, 6, 9))
+    assert (
+        near.orientation(np.array([0]), six, free).item()
+        == -near.orientation(np.array([3]), six, free).item()
+    )
+    assert near.orientation(one, one, six).item() == 0

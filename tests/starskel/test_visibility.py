@@ -1,0 +1,103 @@
+import numpy as np
+import pytest
+
+from starskel import triangulation
+from starskel.errors import InvalidPolygon
+from starskel.points import points_of
+from starskel.polygon import signed_area
+from starskel.triangulation import Triangulation
+from starskel.visibility import visibility, visibility_from
+from tests.families import comb, spiral, subdivided, turned, two_opt
+from tests.starskel.exact import all_relations, locate, rational, relations
+
+
+def triangulate(ring) -> Triangulation:
+    return triangulation.triangulate(points_of(ring), np.arange(len(ring)))
+
+
+RINGS = {
+    **{
+        f"grid {n} {seed}": two_opt(n, seed, grid)
+        for n, grid in ((8, 3), (14, 5), (20, 6))
+        for seed in range(8)
+    },
+    **{f"random {seed}": two_opt(18, seed) for seed in range(4)},
+    "comb": comb(5),
+    "subdivided comb": subdivided(comb(3), 2),
+    "spiral": spiral(20),
+}
+
+
+@pytest.fixture(params=["GEOS", "ears"])
+def triangulator(request, monkeypatch):
+    if request.param == "ears":
+        monkeypatch.setattr(triangulation, "_delaunay", lambda *_: None)
+
+
+@pytest.fixture(params=list(RINGS))
+def ring(request):
+    return RINGS[request.param]
+
+
+@pytest.mark.usefixtures("triangulator")
+def test_triangles_tile_the_ring(ring):
+    ground = triangulate(ring)
+    assert len(ground.triangles) == len(ring) - 2
+    assert set(ground.triangles.ravel()) == set(range(len(ring)))
+    assert (ground.points.orientation(*ground.triangles.T) > 0).all()
+    assert sum(signed_area(ring[t]) for t in ground.triangles) == pytest.approx(signed_area(ring))
+    inner = np.flatnonzero(ground.twins >= 0)
+    np.testing.assert_array_equal(ground.twins[ground.twins[inner]], inner)
+
+
+@pytest.mark.usefixtures("triangulator")
+def test_both_relations_agree_with_rational_arithmetic(ring):
+    seen = visibility(triangulate(ring))
+    sees, diagonal = all_relations(ring)
+    np.testing.assert_array_equal(seen.sees, sees)
+    np.testing.assert_array_equal(seen.diagonal, diagonal)
+
+
+@pytest.mark.parametrize(("scale", "shift"), [(1e-6, 0.0), (1e6, 0.0), (1.0, 1e6), (0.1, 0.3)])
+def test_grids_that_are_scaled_and_shifted_agree_too(scale, shift):
+    for seed in range(4):
+        ring = two_opt(14, seed, 5) * scale + shift
+        if points_of(ring).rounded.any():
+            continue  # rational arithmetic on the coordinates would bend the runs
+        seen = visibility(triangulate(ring))
+        sees, diagonal = all_relations(ring)
+        np.testing.assert_array_equal(seen.sees, sees)
+        np.testing.assert_array_equal(seen.diagonal, diagonal)
+
+
+@pytest.mark.parametrize("angle", [0.1, 1.0, 4.0])
+def test_turning_a_ring_of_straight_runs_changes_nothing(angle):
+    ring = subdivided(two_opt(10, 3), 4)
+    still, moved = (visibility(triangulate(r)) for r in (ring, turned(ring, angle)))
+    np.testing.assert_array_equal(still.sees, moved.sees)
+    np.testing.assert_array_equal(still.diagonal, moved.diagonal)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_places_see_what_rational_arithmetic_says(seed):
+    ring = two_opt(12, seed, 5)
+    places = np.random.default_rng(seed).integers(0, 9, (40, 2)) / 2
+    places = places[~(places[:, None] == ring[None]).all(axis=2).any(axis=1)]
+    seen = visibility_from(triangulate(ring), places)
+    exact = rational(ring)
+    for row, place in enumerate(rational(places)):
+        where = locate(place, exact)
+        if where < 0:
+            assert not seen.sees[row].any()
+        for v in range(len(ring)):
+            sees, diagonal = relations(len(ring), v, [*exact, place], ring=exact)
+            assert seen.sees[row, v] == (sees and where >= 0)
+            if where > 0:
+                assert seen.diagonal[row, v] == diagonal
+
+
+def test_a_ring_that_touches_itself_is_refused():
+    """The ring comes from rounding straight runs, so that no check of the polygon can have seen it."""
+    ring = np.array([(0, 0), (4, 4), (4, 0), (0, 4)], dtype=float)
+    with pytest.raises(InvalidPolygon, match="touches itself near vertex"):
+        triangulate(ring)
