@@ -7,16 +7,17 @@ grows with the number of visible pairs, is done in few array operations.
 
 Two relations are kept apart: `sees`, where the closed segment lies in the closed polygon, and `diagonal`,
 where the open segment lies in the open interior. They differ where views graze vertices or run along straight
-edges.
+edges. Coordinates are rounded, so a segment that passes a vertex by less than `ROUNDING` is no diagonal.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from starskel.points import Indices, Points
-from starskel.predicates import Floats, Signs
+from starskel.predicates import ROUNDING, Floats, Signs
 from starskel.triangulation import Triangulation
 
 Relation = NDArray[np.bool_]
@@ -31,11 +32,18 @@ class Visibility:
     sees : (k, n) array of bool
         The closed segment lies in the closed polygon.
     diagonal : (k, n) array of bool
-        The open segment lies in the open interior.
+        The open segment lies in the open interior, clear of all vertices.
     """
 
     sees: Relation
     diagonal: Relation
+
+    def open(self, windows: "_Windows", viewers: "_Viewers") -> None:
+        """Note what viewers see of their own triangle: both ends of the edge opposite."""
+        for end, other in ((windows.right, windows.left), (windows.left, windows.right)):
+            self.sees[windows.viewer, end] = True
+            clear = viewers.clear(windows.viewer, end, other)
+            self.diagonal[windows.viewer[~clear], end[~clear]] = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,9 +67,23 @@ class _Viewers:
     ring: Indices
     rows: Indices
 
+    @cached_property
+    def slack(self) -> float:
+        """What two coordinates may be off by rounding, together."""
+        return 2 * ROUNDING * float(np.abs(self.points.coordinates[self.ring]).max())
+
     def turn(self, viewer: Indices, first: Indices, second: Indices) -> Signs:
         """Tell whether a viewer turns left (1) or right (-1) to look from one vertex to another."""
         return self.points.orientation(self.rows[viewer], self.ring[first], self.ring[second])
+
+    def clear(self, viewer: Indices, seen: Indices, passed: Indices) -> Relation:
+        """Tell whether the line from a viewer to the vertex seen passes another one by more than rounding."""
+        places = self.points.coordinates
+        line = places[self.ring[seen]] - places[self.rows[viewer]]
+        beside = places[self.ring[passed]] - places[self.rows[viewer]]
+        doubled = np.abs(line[:, 0] * beside[:, 1] - line[:, 1] * beside[:, 0])
+        clear: Relation = doubled > self.slack * np.hypot(*line.T)
+        return clear
 
 
 def visibility(ground: Triangulation) -> Visibility:
@@ -72,14 +94,13 @@ def visibility(ground: Triangulation) -> Visibility:
     opposite = edges - edges % 3 + (edges + 1) % 3
     first = _open(ground, viewers, opposite)
     seen = Visibility(np.eye(n, dtype=bool), np.zeros((n, n), dtype=bool))
-    for limit in (first.right, first.left):
-        seen.sees[first.viewer, limit] = True
-        seen.diagonal[first.viewer, limit] = True
+    seen.diagonal[first.viewer, first.right] = True
+    seen.diagonal[first.viewer, first.left] = True
+    _expand(ground, _Viewers(ground.points, ground.ring, ground.ring), first, seen)
     ring = np.arange(n)
     for step in (1, -1):  # edges of the ring are no diagonals
         seen.diagonal[ring, (ring + step) % n] = False
-    _expand(ground, _Viewers(ground.points, ground.ring, ground.ring), first, seen)
-    return seen
+    return Visibility(seen.sees, seen.diagonal & seen.diagonal.T)
 
 
 def visibility_from(ground: Triangulation, places: Floats) -> Visibility:
@@ -90,7 +111,6 @@ def visibility_from(ground: Triangulation, places: Floats) -> Visibility:
     viewers = _Viewers(ground.points.with_free(places), ground.ring, free)
     at, triangles, ahead = _locate(ground, viewers)
     for corner in ground.triangles[triangles].T:
-        seen.sees[at, corner] = True
         seen.diagonal[at, corner] = True
     edges = (3 * triangles[:, None] + np.arange(3))[ahead]
     _expand(ground, viewers, _open(ground, np.repeat(at, 3)[ahead.ravel()], edges), seen)
@@ -114,6 +134,7 @@ def _open(ground: Triangulation, viewers: Indices, edges: Indices) -> _Windows:
 
 def _expand(ground: Triangulation, viewers: _Viewers, windows: _Windows, seen: Visibility) -> None:
     """Advance windows until all have met the ring."""
+    seen.open(windows, viewers)
     corners = ground.triangles.ravel()
     while len(windows.viewer):
         behind = ground.twins[windows.edge]
@@ -127,6 +148,8 @@ def _expand(ground: Triangulation, viewers: _Viewers, windows: _Windows, seen: V
         within = (from_right >= 0) & (from_left >= 0)
         seen.sees[row[within], apex[within]] = True
         strictly = (from_right > 0) & (from_left > 0)
+        strictly[strictly] &= viewers.clear(row[strictly], apex[strictly], windows.right[strictly])
+        strictly[strictly] &= viewers.clear(row[strictly], apex[strictly], windows.left[strictly])
         seen.diagonal[row[strictly], apex[strictly]] = True
         left = np.where(from_left >= 0, apex, windows.left)
         right = np.where(from_right >= 0, apex, windows.right)
