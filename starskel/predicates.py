@@ -52,11 +52,25 @@ def orientation(a: Floats, b: Floats, c: Floats) -> Signs:
 
 
 def _exact_orientation(a: Floats, b: Floats, c: Floats) -> Signs:
-    products = ((a, b, 1.0), (b, c, 1.0), (c, a, 1.0))
-    parts = []
-    for p, q, sign in products:
-        parts += [sign * part for part in _two_product(p[:, 0], q[:, 1])]
-        parts += [-sign * part for part in _two_product(p[:, 1], q[:, 0])]
+    if (_exact_difference(a, c) & _exact_difference(b, c)).all():  # so it is on grids and between neighbours
+        return _sign_of_cross_products([(a - c, b - c)])
+    return _sign_of_cross_products([(a, b), (b, c), (c, a)])
+
+
+def _exact_difference(a: Floats, b: Floats) -> NDArray[np.bool_]:
+    """Tell whether a - b is free of rounding in both coordinates (the error term of Knuth's sum)."""
+    difference = a - b
+    virtual = a - difference
+    error = (a - (difference + virtual)) + (virtual - b)
+    exact: NDArray[np.bool_] = (error == 0).all(axis=1)
+    return exact
+
+
+def _sign_of_cross_products(pairs: list[tuple[Floats, Floats]]) -> Signs:
+    parts: list[Floats] = []
+    for p, q in pairs:
+        parts += _two_product(p[:, 0], q[:, 1])
+        parts += _two_product(-p[:, 1], q[:, 0])
     return _sign_of_sum(np.array(parts))
 
 
