@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from starskel.decomposition.pieces import Decomposition
 from starskel.errors import StarskelError
+from starskel.polygon import signed_area
 from starskel.predicates import Floats
 
 Edge = tuple[int, int]
@@ -70,7 +71,7 @@ def skeleton_of(decomposition: Decomposition, root: int | None = None) -> Skelet
     ----------
     decomposition : Decomposition
     root : int, optional
-        The piece to start from; else the one with the most neighbours, the first of those.
+        The piece to start from; else the one with the most neighbours, of those the largest.
 
     Raises
     ------
@@ -83,7 +84,8 @@ def skeleton_of(decomposition: Decomposition, root: int | None = None) -> Skelet
         )
     neighbours = _neighbours(decomposition)
     if root is None:
-        root = max(range(len(neighbours)), key=lambda piece: len(neighbours[piece]))
+        sizes = _sizes(decomposition)
+        root = max(range(len(neighbours)), key=lambda piece: (len(neighbours[piece]), sizes[piece]))
     parents, gates = [-1] * len(neighbours), [(-1, -1)] * len(neighbours)
     order, waiting = [root], deque([root])
     while waiting:
@@ -110,6 +112,15 @@ def _neighbours(decomposition: Decomposition) -> list[dict[int, Edge]]:
                 shared[other] = (a, b)
         found.append(shared)
     return found
+
+
+def _sizes(decomposition: Decomposition) -> list[float]:
+    """Give each piece's share of the area, source and target together."""
+    total = np.zeros(len(decomposition.pieces))
+    for points in (decomposition.source, decomposition.target):
+        areas = np.array([signed_area(points[list(piece)]) for piece in decomposition.pieces])
+        total += areas / areas.sum()
+    return list(total.tolist())
 
 
 def _lengths(decomposition: Decomposition, edges: list[Edge]) -> dict[Edge, float]:

@@ -124,5 +124,6 @@ def _packed(parts: list[list[int]], count: int) -> Indices:
             blocks.append(list(part))
         else:
             home += part
-    width = max(map(len, blocks))
-    return np.array([block + [count] * (width - len(block)) for block in blocks], dtype=np.intp)
+    width = max(map(len, blocks), default=1)
+    rows = [block + [count] * (width - len(block)) for block in blocks]
+    return np.array(rows, dtype=np.intp).reshape(-1, width)

@@ -22,35 +22,42 @@ class EdgeAngleBlend(Blend):
     """Edge lengths and turning angles are interpolated, the lengths adjusted to close the outline.
 
     The directions of all edges turn evenly, and the outline's centre of mass moves straight.
+
+    Attributes
+    ----------
+    edges : PolarVectors
+        The edges as they would be if the outline need not close.
+    softness : (n,) array
+        How readily each edge changes its length, as a part of the softest one's.
     """
 
     def __init__(self, pair: Correspondence) -> None:
         super().__init__(pair)
-        self._edges = _turning_edges(pair)
-        self._softness = _softness(edge_lengths(pair.source), edge_lengths(pair.target))
+        self.edges = _turning_edges(pair)
+        self.softness = _softness(edge_lengths(pair.source), edge_lengths(pair.target))
         ends = np.array([0.0, 1.0])
-        self._errors = self._placed(ends) - np.stack([pair.source, pair.target])
+        self.errors = self._placed(ends) - np.stack([pair.source, pair.target])
 
     def lengths(self, ts: ArrayLike) -> Floats:
         """Give the signed edge lengths at each of k times, (k, n): a negative edge runs backwards."""
         times = checked_times(ts)
-        return self._closed(self._edges.lengths(times), self._edges.directions(times))
+        return self._closed(self.edges.lengths(times), self.edges.directions(times))
 
     def negative_lengths(self, ts: ArrayLike) -> NDArray[np.bool_]:
         """Tell at which of the times the outline closes only with an edge of negative length."""
         return np.asarray(self.lengths(ts).min(axis=1) < 0)
 
     def _frames(self, ts: Floats) -> Floats:
-        return with_exact_ends(self._placed(ts), ts, self._errors)
+        return with_exact_ends(self._placed(ts), ts, self.errors)
 
     def _placed(self, ts: Floats) -> Floats:
-        directions = self._edges.directions(ts)
-        steps = self._closed(self._edges.lengths(ts), directions) * directions
+        directions = self.edges.directions(ts)
+        steps = self._closed(self.edges.lengths(ts), directions) * directions
         return placed(as_points(np.roll(np.cumsum(steps, axis=1), 1, axis=1)), ts, self.pair)
 
     def _closed(self, lengths: Floats, directions: Complex) -> Floats:
         """Change the lengths by the least that closes the outline; twice, for the sake of rounding."""
-        x, y, w = directions.real, directions.imag, self._softness
+        x, y, w = directions.real, directions.imag, self.softness
         xx, xy, yy = (w * x * x).sum(axis=1), (w * x * y).sum(axis=1), (w * y * y).sum(axis=1)
         for _ in range(2):
             u, v = (lengths * x).sum(axis=1), (lengths * y).sum(axis=1)

@@ -61,28 +61,35 @@ def factor(dissection: Dissection, weights: Floats, diagonal: Floats) -> Factore
     diagonal : (m,) array
         Not negative, and positive somewhere.
     """
-    d = dissection
-    count, width = len(d.blocks), d.blocks.shape[1]
-    sums = diagonal + np.bincount(d.edges.ravel(), np.repeat(weights, 2), len(diagonal))
-    block, slot = d.places
-    rows = block * width + slot
-    (i, j), both = d.edges.T, np.concatenate([weights, weights])
-    i, j = np.concatenate([i, j]), np.concatenate([j, i])
+    inner, across, rest = _assembled(dissection, weights, diagonal)
+    blocks = _inverse(inner)
+    flat = (blocks.shape[0] * blocks.shape[1], len(rest))
+    links = np.matmul(blocks, across).reshape(flat)
+    return Factored(dissection, blocks, links, _inverse(rest - across.reshape(flat).T @ links))
 
-    inner = np.zeros((count * width, width))
-    inner[np.arange(count * width), np.tile(np.arange(width), count)] = 1.0
-    own = block >= 0
-    inner[rows[own], slot[own]] = sums[own]
-    within = own[i] & (block[i] == block[j])
-    inner[rows[i[within]], slot[j[within]]] = -both[within]
-    inverses = np.linalg.inv(inner.reshape(count, width, width))
 
-    across = np.zeros((count * width, len(d.separator)))
-    leaving = own[i] & ~own[j]
-    across[rows[i[leaving]], slot[j[leaving]]] = -both[leaving]
-    links = np.matmul(inverses, across.reshape(count, width, -1)).reshape(count * width, -1)
+def _inverse(matrices: Floats) -> Floats:
+    return np.asarray(np.linalg.inv(matrices), dtype=np.float64)
 
-    rest = np.diag(sums[d.separator])
-    outside = ~own[i] & ~own[j]
-    rest[slot[i[outside]], slot[j[outside]]] = -both[outside]
-    return Factored(d, inverses, links, np.linalg.inv(rest - across.T @ links))
+
+def _assembled(dissection: Dissection, weights: Floats, diagonal: Floats) -> tuple[Floats, Floats, Floats]:
+    """Give the matrix within the blocks, between these and the separating points, and among the latter.
+
+    Places that a block does not need are filled by ones on the diagonal.
+    """
+    separating, (count, width) = len(dissection.separator), dissection.blocks.shape
+    inner = np.zeros((count, width, width))
+    inner[:, np.arange(width), np.arange(width)] = 1.0
+    across, rest = np.zeros((count, width, separating)), np.zeros((separating, separating))
+    block, place = dissection.places
+    sums = diagonal + np.bincount(dissection.edges.ravel(), np.repeat(weights, 2), len(diagonal))
+    inside = block >= 0
+    inner[block[inside], place[inside], place[inside]] = sums[inside]
+    rest[place[~inside], place[~inside]] = sums[~inside]
+    for i, j in (dissection.edges.T, dissection.edges.T[::-1]):
+        within, outside = inside[i] & inside[j], ~inside[i] & ~inside[j]
+        leaving = inside[i] & ~inside[j]
+        inner[block[i[within]], place[i[within]], place[j[within]]] = -weights[within]
+        across[block[i[leaving]], place[i[leaving]], place[j[leaving]]] = -weights[leaving]
+        rest[place[i[outside]], place[j[outside]]] = -weights[outside]
+    return inner, across, rest

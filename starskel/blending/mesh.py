@@ -47,8 +47,8 @@ class Mesh:
 
     @property
     def size(self) -> float:
-        """The longer side of the larger polygon's box."""
-        return float(max(np.ptp(z) for p in (self.source, self.target) for z in (p.real, p.imag)))
+        """The larger polygon's extent, twice the largest distance from the mean of its points."""
+        return float(2 * max(np.abs(z - z.mean()).max() for z in (self.source, self.target)))
 
     @property
     def lengths(self) -> Floats:

@@ -31,7 +31,7 @@ class StarSkeletonBlend(PieceBlend):
         )
         self._order, self._firsts, self._counts = self._copies()
         ends = np.array([0.0, 1.0])
-        self._errors = self._unfolded(ends)[0] - np.stack([decomposition.source, decomposition.target])
+        self.errors = self._unfolded(ends)[0] - np.stack([decomposition.source, decomposition.target])
 
     def skeleton_at(self, t: float) -> Floats:
         """Give the points of the unfolded tree at t: the k star origins, then the k - 1 mid-points."""
@@ -44,7 +44,7 @@ class StarSkeletonBlend(PieceBlend):
 
     def _points(self, ts: Floats) -> tuple[Floats, Floats]:
         rows, origins = self._unfolded(ts)
-        return with_exact_ends(rows, ts, self._errors), origins
+        return with_exact_ends(rows, ts, self.errors), origins
 
     def _unfolded(self, ts: Floats) -> tuple[Floats, Floats]:
         vectors = self._spokes.vectors.at(ts)

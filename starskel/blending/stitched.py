@@ -45,11 +45,11 @@ class StitchedBlend(PieceBlend):
         watched.reach(0)
         graph = graph_of(mesh_of(fans, len(self.pair)))
         self._stitch = stiffened(graph, len(self.pair), watched.part(0.1, 1))
-        self._errors = self._placed(np.array([0.0, 1.0])) - np.stack([fans.source, fans.target])
+        self.errors = self._placed(np.array([0.0, 1.0])) - np.stack([fans.source, fans.target])
 
     def _points(self, ts: Floats) -> tuple[Floats, Floats]:
         times = 1 - ts if self._backwards else ts
-        points = with_exact_ends(self._placed(times), times, self._errors)
+        points = with_exact_ends(self._placed(times), times, self.errors)
         origins = np.stack([points[:, hub].mean(axis=1) for hub in self._hubs], axis=1)
         return points[:, : len(self.decomposition.source)], origins
 

@@ -94,7 +94,7 @@ def test_whole_turns_along_the_tree_are_counted():
     n = 60
     source = spiral(n, turns=2.0)
     inner = np.stack([np.linspace(0, 40, n // 2), np.zeros(n // 2)], axis=1)
-    target = np.concatenate([inner, inner[::-1] + [0, 1.5]])
+    target = np.concatenate([inner, inner[::-1] + np.array([0, 1.5])])
     decomposition = decompose(match(source, target, [(k, k) for k in range(n)]))
     vectors = spokes_of(skeleton_of(decomposition)).vectors
     assert np.ptp(vectors.rotations) > 3.5 * np.pi

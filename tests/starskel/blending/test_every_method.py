@@ -65,7 +65,9 @@ def test_equal_input_gives_equal_output_to_the_bit(name, method):
 
 
 @every_method
-@pytest.mark.parametrize("ring", [two_opt(15, 4), subdivided(two_opt(6, 1), 4)], ids=["plain", "straight runs"])
+@pytest.mark.parametrize(
+    "ring", [two_opt(15, 4), subdivided(two_opt(6, 1), 4)], ids=["plain", "straight runs"]
+)
 def test_a_shape_to_itself_stands_still(ring, method):
     frames = blend(ring, ring, method=method).frames(TIMES)
     np.testing.assert_allclose(frames, np.broadcast_to(ring, frames.shape), atol=1e-10)
@@ -75,7 +77,7 @@ def test_a_shape_to_itself_stands_still(ring, method):
 @pytest.mark.parametrize("angle", [0.7, -2.4, 3.0])
 def test_a_shape_to_a_moved_and_turned_copy_moves_rigidly(method, angle):
     ring = two_opt(18, 6)
-    copy = turned(ring, angle) + [300.0, -20.0]
+    copy = turned(ring, angle) + np.array([300.0, -20.0])
     frames = blend(ring, copy, [(k, k) for k in range(0, 18, 3)], method).frames(TIMES)
     np.testing.assert_allclose(edge_lengths(frames), np.broadcast_to(edge_lengths(ring), frames.shape[:2]))
     for t, frame in zip(TIMES, frames, strict=True):
@@ -92,7 +94,7 @@ def transformed(name, method, change):
 
 
 CHANGES = {
-    "moved": lambda ring: ring + [1000.0, -50.0],
+    "moved": lambda ring: ring + np.array([1000.0, -50.0]),
     "turned": lambda ring: turned(ring, 1.0),
     "scaled by 1e6": lambda ring: ring * 1e6,
     "scaled by 1e-6": lambda ring: ring * 1e-6,

@@ -1,0 +1,151 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from starskel.blending.fans import fans_of
+from starskel.blending.mesh import corner_angles, mesh_of, triangle_areas
+from starskel.blending.stitch import Stitch, graph_of, length_weights
+from starskel.blending.stitched import StitchedBlend
+from starskel.correspondence import match
+from starskel.decomposition import decompose
+from starskel.outline import cross_themselves, signed_areas
+from tests.families import subdivided, turned, two_opt
+from tests.starskel.blending.cases import CASES, decomposition_of, size_of
+
+TIMES = np.linspace(0, 1, 103)
+
+
+def mesh_for(name):
+    decomposition = decomposition_of(name)
+    return mesh_of(fans_of(decomposition), len(decomposition.pair))
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_fans_tile_both_polygons_with_triangles_that_are_never_turned_over(name):
+    decomposition, mesh = decomposition_of(name), mesh_for(name)
+    for areas, ring in (
+        (mesh.source_areas, decomposition.pair.source),
+        (mesh.target_areas, decomposition.pair.target),
+    ):
+        assert areas.sum() == pytest.approx(float(signed_areas(ring)))
+        assert areas.min() > -1e-12 * areas.sum()
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_outline_and_all_hubs_are_linked_and_each_inner_edge_has_two_triangles(name):
+    mesh = mesh_for(name)
+    uses = np.bincount(mesh.sides.ravel())
+    np.testing.assert_array_equal(uses, np.where(mesh.on_ring, 1, 2))
+    assert mesh.on_ring.sum() == len(decomposition_of(name).pair)
+    np.testing.assert_array_equal(np.unique(mesh.triangles), np.arange(len(mesh.source)))
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_rotations_gain_at_every_corner_what_its_angle_gains(name):
+    mesh = mesh_for(name)
+    gains = corner_angles(mesh.target[mesh.triangles]) - corner_angles(mesh.source[mesh.triangles])
+    rotations = mesh.wishes.rotations[mesh.sides]
+    for corner in range(3):
+        ahead, back = rotations[:, corner], rotations[:, corner - 1]
+        np.testing.assert_allclose(back - ahead, gains[:, corner], atol=1e-6)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_wishes_are_the_edges_themselves_at_both_ends(name):
+    mesh = mesh_for(name)
+    ends = mesh.wishes.at(np.array([0.0, 1.0]))
+    for vectors, points in zip(ends, (mesh.source, mesh.target), strict=True):
+        i, j = mesh.edges.T
+        np.testing.assert_allclose(vectors, points[j] - points[i], atol=1e-12 * mesh.size)
+
+
+def test_where_only_a_vertex_sees_everything_it_is_the_hub_and_is_not_doubled():
+    """Edges on rays from vertex 0 leave nothing else in the kernel, and triangles without area in the fan."""
+    source = np.array([(0, 0), (6, 0), (6, 3), (2, 1), (1, 2), (3, 6), (0, 6)], dtype=float)
+    target = np.array([(0, 0), (6, 0), (8, 4), (2, 1), (1, 2), (2, 4), (0, 5)], dtype=float)
+    decomposition = decompose(match(source, target, [(k, k) for k in range(7)]))
+    fans = fans_of(decomposition)
+    assert fans.hubs == ((0,),)
+    np.testing.assert_array_equal(fans.source, source)
+    np.testing.assert_array_equal(fans.triangles, [(0, k, k + 1) for k in range(1, 6)])
+    frames = StitchedBlend(decomposition).frames(TIMES)
+    assert np.isfinite(frames).all()
+    assert not cross_themselves(frames).any()
+
+
+@pytest.mark.parametrize("name", ["run-walk", "hand-open", "random-12-5"])
+def test_frames_come_nearest_to_the_wishes(name):
+    """Against the least-squares problem solved densely."""
+    mesh = mesh_for(name)
+    graph = graph_of(mesh)
+    weights = length_weights(mesh, 3.0)
+    points = Stitch.of(graph, weights, 0.0).points(np.array([0.4]))[0]
+    incidence = np.zeros((len(mesh.edges), len(mesh.source)))
+    rows = np.arange(len(mesh.edges))
+    incidence[rows, mesh.edges[:, 1]], incidence[rows, mesh.edges[:, 0]] = 1, -1
+    roots = np.sqrt(weights)[:, None]
+    wishes = mesh.wishes.at(np.array([0.4]))[0]
+    nearest = np.linalg.lstsq(roots * incidence, roots[:, 0] * wishes, rcond=None)[0]
+    np.testing.assert_allclose(points - points.mean(), nearest - nearest.mean(), atol=1e-9 * mesh.size)
+
+
+@pytest.mark.parametrize("name", ["letter-C-S", "run-walk", "hand-open", "spiral-opposite"])
+def test_the_area_pass_brings_areas_nearer_to_the_linear_ones(name):
+    mesh = mesh_for(name)
+    graph = graph_of(mesh)
+    plain = Stitch.of(graph, length_weights(mesh, 3.0), 0.0)
+    deviations = []
+    for dial in (0.0, 0.5, 1.0):
+        corners = plain.dialled(dial).points(TIMES)[:, mesh.triangles]
+        wanted = np.outer(1 - TIMES, mesh.source_areas) + np.outer(TIMES, mesh.target_areas)
+        total = triangle_areas(corners).sum(axis=1) / wanted.sum(axis=1)
+        deviations.append(np.abs(total - 1).max())
+    assert deviations[0] > deviations[1] > deviations[2]
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_no_frame_of_these_pairs_crosses_itself(name):
+    assert not cross_themselves(StitchedBlend(decomposition_of(name)).frames(TIMES)).any()
+
+
+def test_stiffening_makes_a_crossing_blend_simple():
+    decomposition = decomposition_of("arms-over-under")
+    graph = graph_of(mesh_for("arms-over-under"))
+    plain = Stitch.of(graph, length_weights(graph.mesh, 3.0), 0.7)
+    points = plain.points(TIMES)[:, : len(decomposition.pair)]
+    assert cross_themselves(np.stack([points.real, points.imag], axis=-1)).any()
+    assert not cross_themselves(StitchedBlend(decomposition).frames(TIMES)).any()
+
+
+@pytest.mark.parametrize("name", ["run-walk", "random-9-2", "arms-over-under"])
+def test_exchanging_the_shapes_of_a_decomposition_is_exact(name):
+    there = decomposition_of(name)
+    back = replace(
+        there,
+        pair=replace(there.pair, source=there.pair.target, target=there.pair.source),
+        source=there.target,
+        target=there.source,
+        source_origins=there.target_origins,
+        target_origins=there.source_origins,
+    )
+    times = np.array([0.0, 0.25, 0.5, 1.0])
+    np.testing.assert_array_equal(StitchedBlend(there).frames(times), StitchedBlend(back).frames(1 - times))
+
+
+@pytest.mark.parametrize("angle", [0.5, -2.0, 3.1])
+def test_a_turned_copy_with_straight_runs_turns_rigidly(angle):
+    """Degenerate triangles must not bend anything."""
+    ring = subdivided(two_opt(7, 2), 5)
+    decomposition = decompose(match(ring, turned(ring, angle), [(k, k) for k in range(len(ring))]))
+    frames = StitchedBlend(decomposition).frames(TIMES)
+    for t, frame in zip(TIMES, frames, strict=True):
+        unturned = turned(frame, -t * angle)
+        np.testing.assert_allclose(unturned - unturned[0], ring - ring[0], atol=1e-8)
+
+
+def test_ends_are_met_before_they_are_corrected(shape_pair):
+    """The correction that makes the ends exact takes away rounding, nothing else."""
+    decomposition = decompose(match(shape_pair.source, shape_pair.target, shape_pair.marks))
+    blend = StitchedBlend(decomposition)
+    assert np.abs(blend.errors).max() < 1e-9 * size_of(decomposition.pair)

@@ -1,0 +1,111 @@
+import numpy as np
+import pytest
+
+from starskel.blending.edge_angle import EdgeAngleBlend
+from starskel.blending.frames import Blend
+from starskel.blending.vertex import VertexBlend
+from starskel.correspondence import Correspondence, match
+from starskel.errors import StarskelError
+from starskel.outline import edge_lengths, signed_areas
+from starskel.quality import measure
+from tests.families import turned, two_opt
+
+SQUARE = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
+BOW = np.array([(0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0)])
+
+
+class Played(Blend):
+    """Frames made up for a test."""
+
+    def __init__(self, frames):
+        rows = np.arange(frames.shape[1])
+        super().__init__(Correspondence(frames[0], frames[-1], (), rows, rows))
+        self._all = frames
+
+    def _frames(self, ts):
+        return self._all[np.round(ts * (len(self._all) - 1)).astype(int)]
+
+
+def test_a_blend_that_stands_still_deviates_in_nothing():
+    report = measure(VertexBlend(match(SQUARE, SQUARE)), frames=5)
+    assert report.simple
+    assert report.crossing_frames == report.crossing_times == ()
+    assert report.crossing_place is None
+    assert report.negative_lengths == ()
+    assert report.area_deviation == report.length_deviation == report.angle_deviation == 0
+    np.testing.assert_array_equal(report.times, [0, 0.25, 0.5, 0.75, 1])
+    np.testing.assert_array_equal(report.areas, 1)
+    np.testing.assert_array_equal(report.perimeters, 4)
+
+
+def test_crossing_frames_are_told_by_number_time_and_place():
+    report = measure(Played(np.stack([SQUARE, BOW, SQUARE, BOW, SQUARE])), frames=5)
+    assert not report.simple
+    assert report.crossing_frames == (1, 3)
+    assert report.crossing_times == (0.25, 0.75)
+    assert report.crossing_place == pytest.approx((0.5, 0.5))
+    np.testing.assert_array_equal(report.crossings, [False, True, False, True, False])
+
+
+def test_touching_counts_as_crossing():
+    touching = np.array([(0, 0), (2, 0), (2, 2), (1, 0), (0, 2)], dtype=float)
+    apart = touching.copy()
+    apart[3, 1] = 1
+    report = measure(Played(np.stack([apart, touching, apart])), frames=3)
+    assert report.crossing_frames == (1,)
+    assert report.crossing_place == pytest.approx((1, 0))
+
+
+def test_areas_are_compared_with_their_linear_blend():
+    report = measure(Played(np.stack([SQUARE, 2 * SQUARE, 2 * SQUARE])), frames=3)
+    np.testing.assert_allclose(report.areas, [1, 4, 4])
+    np.testing.assert_allclose(report.area_deviations, [0, 4 / 2.5 - 1, 0])
+    assert report.area_deviation == pytest.approx(0.6)
+
+
+def test_lengths_are_compared_with_their_linear_blend():
+    report = measure(Played(np.stack([SQUARE, 2 * SQUARE, SQUARE])), frames=3)
+    assert report.length_deviation == pytest.approx(1 / 3)
+    np.testing.assert_allclose(report.perimeters, [4, 8, 4])
+    assert report.angle_deviation == pytest.approx(0, abs=1e-12)
+
+
+def test_angles_are_compared_with_their_linear_blend():
+    """The square leans: two angles gain, two lose what the others gain."""
+    lean = 0.3
+    rhombus = SQUARE @ np.array([(1, 0), (np.sin(lean), np.cos(lean))])
+    report = measure(Played(np.stack([SQUARE, rhombus, SQUARE])), frames=3)
+    assert report.angle_deviation == pytest.approx(lean / 3)
+    assert report.length_deviation == pytest.approx(0, abs=1e-12)
+
+
+def test_a_vertex_blend_to_a_turned_copy_shrinks():
+    """Half way, a shape whose vertices move straight through a turn by 3 has shrunk by the cosine of 1.5."""
+    ring = two_opt(12, 2)
+    report = measure(VertexBlend(match(ring, turned(ring, 3.0), [(k, k) for k in range(12)])), frames=101)
+    expected = 1 - (np.cos(1.5)) ** 2
+    assert report.area_deviation == pytest.approx(expected, rel=1e-3)
+
+
+def test_negative_lengths_are_told(shape_pairs):
+    pair = shape_pairs["spiral-opposite"]
+    blend = EdgeAngleBlend(match(pair.source, pair.target, pair.marks))
+    report = measure(blend, frames=21)
+    assert report.negative_lengths == tuple(
+        k for k, t in enumerate(report.times) if blend.lengths([t]).min() < 0
+    )
+    assert report.negative_lengths
+
+
+def test_series_are_those_of_the_frames(shape_pair):
+    blend = VertexBlend(match(shape_pair.source, shape_pair.target, shape_pair.marks))
+    report = measure(blend, frames=7)
+    frames = blend.frames(report.times)
+    np.testing.assert_array_equal(report.areas, signed_areas(frames))
+    np.testing.assert_array_equal(report.perimeters, edge_lengths(frames).sum(axis=1))
+
+
+@pytest.mark.parametrize("frames", [1, 0, -3])
+def test_too_few_frames_are_refused(frames):
+    with pytest.raises(StarskelError, match="at least 2"):
+        measure(VertexBlend(match(SQUARE, SQUARE)), frames=frames)
