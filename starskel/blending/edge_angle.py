@@ -12,7 +12,7 @@ from starskel.blending.frames import Blend, checked_times, placed, with_exact_en
 from starskel.correspondence import Correspondence
 from starskel.outline import edge_lengths, edge_vectors, turning_angles
 from starskel.polar import Complex, PolarVectors, as_complex, as_points
-from starskel.predicates import Floats
+from starskel.predicates import ROUNDING, Floats
 
 _STIFFEST = 1e-4
 """The least softness of an edge, as a part of the softest one's, and of the mean edge length."""
@@ -57,12 +57,14 @@ class EdgeAngleBlend(Blend):
 
     def _closed(self, lengths: Floats, directions: Complex) -> Floats:
         """Change the lengths by the least that closes the outline; twice, for the sake of rounding."""
-        x, y, w = directions.real, directions.imag, self.softness
-        xx, xy, yy = (w * x * x).sum(axis=1), (w * x * y).sum(axis=1), (w * y * y).sum(axis=1)
+        parts = np.stack([directions.real, directions.imag], axis=1)
+        soft = parts * self.softness
+        normal = soft @ parts.transpose(0, 2, 1)
+        # Where all edges are parallel, as far as floats can tell, nothing closes across them.
+        inverse = np.linalg.pinv(normal, rcond=ROUNDING, hermitian=True)
         for _ in range(2):
-            u, v = (lengths * x).sum(axis=1), (lengths * y).sum(axis=1)
-            p, q = (u * yy - v * xy), (v * xx - u * xy)
-            lengths = lengths - w * (p[:, None] * x + q[:, None] * y) / (xx * yy - xy * xy)[:, None]
+            gaps = parts @ lengths[:, :, None]
+            lengths = lengths - ((inverse @ gaps).transpose(0, 2, 1) @ soft)[:, 0]
         return lengths
 
 

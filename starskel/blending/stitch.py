@@ -23,7 +23,7 @@ CLIP = 4.0
 """The largest factor by which a triangle's area is corrected."""
 
 _LEAST_MASS = 1e-3
-"""The least mass of a triangle, as a part of the mean: those without area must not be left loose."""
+"""The least mass of a triangle, as a part of the mean: no point may be left without any."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,9 +66,10 @@ def graph_of(mesh: Mesh) -> Graph:
     corners = np.argsort(mesh.triangles.ravel(), kind="stable")
     every = np.arange(count)
     shares = mesh.source_areas / mesh.source_areas.sum() + mesh.target_areas / mesh.target_areas.sum()
-    masses = np.maximum(shares / 2, _LEAST_MASS / len(shares)) / 3
-    at_points = _sums(mesh.triangles, masses, count)
-    at_edges = _sums(mesh.sides, masses, len(mesh.edges))
+    masses = shares / 6
+    held = np.maximum(masses, _LEAST_MASS * masses.mean())
+    at_points = _sums(mesh.triangles, held, count)
+    at_edges = _sums(mesh.sides, held, len(mesh.edges))
     stiffness = at_edges * (REACH / _relative_lengths(mesh)) ** 2
     return Graph(
         mesh=mesh,
@@ -132,14 +133,19 @@ class Stitch:
         return np.asarray(parts[: len(right)] + 1j * parts[len(right) :])
 
     def _growth(self, points: Complex, ts: Floats) -> Floats:
-        """Give for each point the logarithm of the factor by which edges there should grow."""
+        """Give for each point the logarithm of the factor by which edges there should grow.
+
+        A triangle counts by its share of the area, the mean one or that at the time, whichever is less: what
+        vanishes towards an end must not ask for anything there.
+        """
         graph = self.graph
         mesh, t = graph.mesh, ts[:, None]
         wanted = (1 - t) * mesh.source_areas + t * mesh.target_areas
         there = np.clip(triangle_areas(points[:, mesh.triangles]), wanted / CLIP, wanted * CLIP)
-        lacking = np.zeros_like(wanted)
-        np.log(wanted / np.where(wanted > 0, there, 1.0), out=lacking, where=wanted > 0)
-        loads = (self.dial / 2 * graph.masses * lacking)[:, graph.corners]
+        has_area = wanted > 0
+        lacking = np.log(np.where(has_area, wanted, 1.0) / np.where(has_area, there, 1.0))
+        masses = np.minimum(graph.masses, np.maximum(wanted, 0.0) / (3 * wanted.sum(axis=1, keepdims=True)))
+        loads = (self.dial / 2 * masses * lacking)[:, graph.corners]
         return graph.smoothing.solve(np.add.reduceat(loads, graph.corner_firsts, axis=1))
 
 

@@ -5,6 +5,7 @@ import pytest
 
 from starskel.blending.fans import fans_of
 from starskel.blending.mesh import corner_angles, mesh_of, triangle_areas
+from starskel.blending.stiffening import LADDER
 from starskel.blending.stitch import Stitch, graph_of, length_weights
 from starskel.blending.stitched import StitchedBlend
 from starskel.correspondence import match
@@ -112,7 +113,7 @@ def test_no_frame_of_these_pairs_crosses_itself(name):
 def test_stiffening_makes_a_crossing_blend_simple():
     decomposition = decomposition_of("arms-over-under")
     graph = graph_of(mesh_for("arms-over-under"))
-    plain = Stitch.of(graph, length_weights(graph.mesh, 3.0), 0.7)
+    plain = Stitch.of(graph, length_weights(graph.mesh, LADDER[0].on_ring), LADDER[0].dial)
     points = plain.points(TIMES)[:, : len(decomposition.pair)]
     assert cross_themselves(np.stack([points.real, points.imag], axis=-1)).any()
     assert not cross_themselves(StitchedBlend(decomposition).frames(TIMES)).any()
@@ -142,6 +143,20 @@ def test_a_turned_copy_with_straight_runs_turns_rigidly(angle):
     for t, frame in zip(TIMES, frames, strict=True):
         unturned = turned(frame, -t * angle)
         np.testing.assert_allclose(unturned - unturned[0], ring - ring[0], atol=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("source", "target", "mark"),
+    [
+        (two_opt(19, 14, grid=6), two_opt(19, 14, grid=6), (0, 1)),
+        (subdivided(two_opt(8, 39, grid=5), 3), subdivided(two_opt(6, 48, grid=5), 3), (0, 0)),
+    ],
+    ids=["a fan's triangle vanishes in the source", "all lie on lines in the target"],
+)
+def test_triangles_that_lose_their_area_ask_for_nothing_at_that_end(source, target, mark):
+    decomposition = decompose(match(source, target, [mark]))
+    errors = StitchedBlend(decomposition).errors
+    assert np.abs(errors).max() < 1e-12
 
 
 def test_ends_are_met_before_they_are_corrected(shape_pair):
