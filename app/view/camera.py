@@ -7,9 +7,6 @@ import numpy as np
 from app.model.document import Point
 from starskel.predicates import Floats
 
-MARGIN = 0.12
-"""Share of a view left free around what is fitted into it."""
-
 
 @dataclass(frozen=True)
 class Camera:
@@ -61,13 +58,12 @@ class Camera:
         """Move what is shown by a way on the screen."""
         return replace(self, centre=(self.centre[0] - dx / self.scale, self.centre[1] + dy / self.scale))
 
-    def fitting(self, points: Floats, margin: float = MARGIN) -> "Camera":
-        """Show all of these points; none of them: the unit box of files, 100 by 100."""
+    def fitting(self, points: Floats, margin: float) -> "Camera":
+        """Show all of these points with so many pixels free around them; none: a box of 100 by 100."""
         if not len(points):
             points = np.array([(0.0, 0.0), (100.0, 100.0)])
         low, high = points.min(axis=0), points.max(axis=0)
-        free = 1 - 2 * margin
-        width, height = np.maximum(high - low, 1e-9 * max(np.abs(points).max(), 1e-300)).tolist()
-        scale = min(self.width * free / width, self.height * free / height)
+        free = np.maximum(np.array([self.width, self.height]) - 2 * margin, 1.0)
+        scale = float((free / (high - low)).min())
         middle = (low + high) / 2
         return replace(self, scale=scale, centre=(float(middle[0]), float(middle[1])))

@@ -22,6 +22,9 @@ from app.view.canvas_painter import CanvasPainter
 PICK = 9.0
 """Pixels within which a vertex or an edge counts as under the pointer."""
 
+MARGIN = 46.0
+"""Pixels left free around a fitted shape: room for pins and caption."""
+
 NOTCH = 1.25
 """Zoom factor of one notch of the wheel."""
 
@@ -85,7 +88,7 @@ class Canvas(QWidget):
     def _follow(self) -> None:
         """Keep the shape fitted, but not while it is drawn or when the user chose a view."""
         if self._fits and not self._session.tool.busy:
-            self.camera = self.camera.fitting(self._session.document.vertices(self.side))
+            self.camera = self.camera.fitting(self._session.document.vertices(self.side), MARGIN)
         self.update()
 
     def _look(self, camera: Camera) -> None:

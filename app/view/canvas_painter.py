@@ -1,20 +1,20 @@
 """What a canvas shows: the shape, its vertices and pins, the gesture under way, and what was refused."""
 
 import numpy as np
-from PySide6.QtCore import QCoreApplication, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QPainter, QPalette
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPalette
 
+from app.model.document import Point
 from app.model.marks import Side, end, mark_at
 from app.session import Session
-from app.tools.tool import Overlay, Segment
+from app.tools.tool import Overlay
 from app.view import words
 from app.view.camera import Camera
+from app.view.canvas_notes import paint_caption, paint_invitation, paint_notice
 from app.view.drawing import faded, pen, point_of, polygon_of
 from app.view.pins import cross_at, outward, paint_label, paint_pin
 from app.view.theme import theme_of
 from starskel.predicates import Floats
-
-translate = QCoreApplication.translate
 
 CROWDED = 7.0
 """Vertices nearer to each other than so many pixels, on average, are not shown one by one."""
@@ -44,11 +44,11 @@ class CanvasPainter:
         self._paint_shape()
         self._paint_vertices()
         self._paint_pins()
+        self._paint_selection()
         self._paint_path()
         self._paint_box()
+        self._paint_words()
         self._paint_refusal()
-        self._paint_caption()
-        self._paint_invitation()
 
     def _frame(self) -> QRectF:
         return QRectF(0, 0, self._camera.width, self._camera.height)
@@ -64,18 +64,12 @@ class CanvasPainter:
         self._painter.drawPolygon(polygon_of(self._screen), Qt.FillRule.WindingFill)
 
     def _paint_vertices(self) -> None:
-        selected = self._session.selection.on(self._side)
+        if self._overlay.path or self._crowded():
+            return
         self._painter.setPen(pen(self._colour, 1.5))
         self._painter.setBrush(QColor(self._theme.base))
-        if not self._crowded() and not self._overlay.path:
-            for place in self._screen:
-                self._painter.drawRect(_square(place, 2.5))
-        self._painter.setPen(pen(self._theme.base, 1.0))
-        self._painter.setBrush(QColor(self._theme.accent))
-        for vertex in selected:
-            if vertex < len(self._screen):
-                self._painter.drawRect(_square(self._screen[vertex], 4.5))
-        self._paint_hover()
+        for place in self._screen:
+            self._painter.drawRect(_square(place, 2.5))
 
     def _crowded(self) -> bool:
         if len(self._screen) < 40:
@@ -83,7 +77,12 @@ class CanvasPainter:
         ways = np.diff(self._screen, axis=0, append=self._screen[:1])
         return float(np.hypot(*ways.T).mean()) < CROWDED
 
-    def _paint_hover(self) -> None:
+    def _paint_selection(self) -> None:
+        """Show what is selected, and what a press would take; above the pins, which may stand there too."""
+        self._painter.setPen(pen(self._theme.base, 1.0))
+        self._painter.setBrush(QColor(self._theme.accent))
+        for vertex in self._session.selection.on(self._side):
+            self._painter.drawRect(_square(self._screen[vertex], 4.5))
         self._painter.setBrush(Qt.BrushStyle.NoBrush)
         self._painter.setPen(pen(self._theme.accent, 2.0))
         if self._overlay.vertex is not None:
@@ -151,105 +150,44 @@ class CanvasPainter:
         refusal = self._session.refusal
         if refusal is None:
             return
-        for mark in refusal.marks:
-            self._paint_refused_pin(end(mark, self._side), mark in self._session.document.marks)
+        vertices = [end(mark, self._side) for mark in refusal.marks]
+        for vertex in vertices:
+            self._paint_refused_pin(vertex)
         if refusal.side != self._side:
             return
         red = QColor(self._theme.refused)
         self._painter.setPen(pen(red, 3.0))
-        for segment in refusal.segments:
-            self._paint_segment(segment)
+        places = [self._on_screen(point) for segment in refusal.segments for point in segment]
+        for start, stop in zip(places[::2], places[1::2], strict=True):
+            self._painter.drawLine(start, stop)
         if refusal.place is not None:
-            cross_at(self._painter, point_of(self._camera.to_screen(np.array(refusal.place))), red)
-        self._paint_notice(words.reason(refusal.error, self._session.document))
+            places.append(self._on_screen(refusal.place))
+            cross_at(self._painter, places[-1], red)
+        places += [point_of(self._screen[vertex]) for vertex in vertices]
+        reason = words.reason(refusal.error, self._session.document)
+        paint_notice(self._painter, self._theme, self._frame(), reason, places)
 
-    def _paint_segment(self, segment: Segment) -> None:
-        start, stop = self._camera.to_screen(np.array(segment))
-        self._painter.drawLine(point_of(start), point_of(stop))
+    def _on_screen(self, point: Point) -> QPointF:
+        return point_of(self._camera.to_screen(np.array(point)))
 
-    def _paint_refused_pin(self, vertex: int, known: bool) -> None:
-        """Ring the vertex in red; the new mark has no number yet."""
+    def _paint_refused_pin(self, vertex: int) -> None:
+        """Ring the vertex in red; where the new mark has no pin yet, give it one without a number."""
         place = self._screen[vertex]
         self._painter.setBrush(Qt.BrushStyle.NoBrush)
         self._painter.setPen(pen(self._theme.refused, 3.0))
         self._painter.drawEllipse(point_of(place), 11.0, 11.0)
-        taken = mark_at(self._session.document.marks, self._side, vertex) is not None
-        if not known and not taken:
+        begun = self._overlay.pin is not None and self._overlay.pin[0] == vertex
+        if not begun and mark_at(self._session.document.marks, self._side, vertex) is None:
             paint_label(self._painter, place, self._away(vertex), "✕", self._theme.refused)
-
-    def _paint_notice(self, text: str) -> None:
-        """Write the reason on the lower edge, where it hides little of the shape."""
-        self._painter.setFont(_sized(self._painter.font(), 10.0))
-        margin = 10.0
-        room = self._frame().adjusted(2 * margin + 22, margin, -2 * margin, -margin)
-        flags = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-        needed = self._painter.boundingRect(room, flags, text)
-        box = QRectF(
-            margin,
-            room.bottom() - needed.height() - 14,
-            self._frame().width() - 2 * margin,
-            needed.height() + 14,
-        )
-        self._painter.setPen(pen(self._theme.refused, 1.5))
-        self._painter.setBrush(QColor(self._theme.base))
-        self._painter.drawRoundedRect(box, 5, 5)
-        cross_at(self._painter, QPointF(box.left() + 16, box.center().y()), QColor(self._theme.refused), 4.5)
-        self._painter.setPen(QColor(self._theme.text))
-        self._painter.drawText(box.adjusted(32, 0, -10, 0), flags, text)
 
     # words
 
-    def _paint_caption(self) -> None:
-        painter = self._painter
-        painter.setFont(_sized(painter.font(), 10.0, bold=True))
-        painter.setPen(self._colour)
-        painter.setBrush(self._colour)
-        painter.drawEllipse(QPointF(17, 18), 4.5, 4.5)
-        painter.setPen(QColor(self._theme.text))
-        name = words.side(self._side)
-        painter.drawText(QPointF(29, 22), name)
-        if len(self._screen):
-            shift = painter.fontMetrics().horizontalAdvance(name)
-            painter.setFont(_sized(painter.font(), 9.0))
-            painter.setPen(QColor(self._theme.muted))
-            count = translate("Canvas", "%n vertices", "", len(self._ring))
-            painter.drawText(QPointF(29 + shift + 10, 22), count)
-
-    def _paint_invitation(self) -> None:
-        """Say in an empty canvas how to begin."""
-        if len(self._screen) or self._overlay.path:
-            return
-        painter = self._painter
-        lines = self._invitation()
-        painter.setPen(QColor(self._theme.text))
-        painter.setFont(_sized(painter.font(), 13.0, bold=True))
-        middle = self._frame().adjusted(20, 0, -20, -26)
-        painter.drawText(middle, Qt.AlignmentFlag.AlignCenter, lines[0])
-        painter.setPen(QColor(self._theme.muted))
-        painter.setFont(_sized(painter.font(), 10.0))
-        below = self._frame().adjusted(20, self._frame().height() / 2 + 6, -20, 0)
-        flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap
-        painter.drawText(below, flags, lines[1])
-
-    def _invitation(self) -> tuple[str, str]:
-        heading = (
-            translate("Canvas", "Draw the source shape here")
-            if self._side == "source"
-            else translate("Canvas", "Draw the target shape here")
-        )
-        if self._session.tool.name == "draw":
-            return heading, translate(
-                "Canvas", "Click to set each vertex; click the first one again to close."
-            )
-        return heading, translate("Canvas", "Press D for the drawing tool, or Ctrl+O to open a file.")
+    def _paint_words(self) -> None:
+        paint_caption(self._painter, self._theme, self._side, len(self._ring))
+        if not len(self._screen) and not self._overlay.path:
+            drawing = self._session.tool.name == "draw"
+            paint_invitation(self._painter, self._theme, self._frame(), self._side, drawing)
 
 
 def _square(place: Floats, half: float) -> QRectF:
     return QRectF(place[0] - half, place[1] - half, 2 * half, 2 * half)
-
-
-def _sized(font: QFont, points: float, *, bold: bool = False) -> QFont:
-    sized = QFont(font)
-    sized.setPointSizeF(points)
-    sized.setBold(bold)
-    return sized

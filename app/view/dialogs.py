@@ -32,18 +32,18 @@ class Answer(Enum):
     CANCEL = "cancel"
 
 
-def path_to_open(parent: QWidget) -> Path | None:
-    """Ask for a project or a file of pairs; None where the user thinks better of it."""
+def path_to_open(parent: QWidget, folder: Path) -> Path | None:
+    """Ask for a project or a file of pairs, from a folder on; None where the user thinks better of it."""
     title = translate("Dialogs", "Open")
     kinds = translate("Dialogs", "Projects and polygon pairs (*.json);;All files (*)")
-    path, _ = QFileDialog.getOpenFileName(parent, title, "", kinds)
+    path, _ = QFileDialog.getOpenFileName(parent, title, str(folder), kinds)
     return Path(path) if path else None
 
 
-def path_to_save(parent: QWidget, title: str, suggested: str, endings: Sequence[str]) -> Path | None:
+def path_to_save(parent: QWidget, title: str, suggested: Path, endings: Sequence[str]) -> Path | None:
     """Ask where to write a file; a name without an ending gets the one of the chosen kind."""
     kinds = ";;".join(f"{ending[1:].upper()} (*{ending})" for ending in endings)
-    text, kind = QFileDialog.getSaveFileName(parent, title, suggested, kinds)
+    text, kind = QFileDialog.getSaveFileName(parent, title, str(suggested), kinds)
     if not text:
         return None
     path = Path(text)

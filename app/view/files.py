@@ -36,6 +36,7 @@ class Files(QObject):
         self._session = session
         self._player = player
         self._display = display
+        self._folder = Path.cwd()  # where the last file was, so that the next one is looked for there
 
     @property
     def name(self) -> str:
@@ -59,11 +60,12 @@ class Files(QObject):
     @Slot()
     def choose(self) -> None:
         """Ask for a file and open it."""
-        if self.may_go() and (path := path_to_open(self._window)) is not None:
+        if self.may_go() and (path := path_to_open(self._window, self._folder)) is not None:
             self.open(path)
 
     def open(self, path: Path) -> None:
         """Open a project, or a pair of a file of pairs; where that fails, what is open stays."""
+        self._folder = path.absolute().parent
         try:
             if format_of(path) == pairs.FORMAT:
                 self._open_pair(path)
@@ -86,7 +88,7 @@ class Files(QObject):
     @Slot()
     def save_as(self) -> bool:
         """Ask for a file and save; True where that was done."""
-        suggested = f"{self.name}{PROJECT_ENDING}"
+        suggested = self._folder / f"{self.name}{PROJECT_ENDING}"
         path = path_to_save(self._window, self.tr("Save project"), suggested, [PROJECT_ENDING])
         return path is not None and self._save(path)
 
@@ -99,9 +101,10 @@ class Files(QObject):
             return
         choice = dialog.choice
         title, endings = self.tr("Export"), ENDINGS[choice.layout]
-        path = path_to_save(self._window, title, f"{self.name}{endings[0]}", endings)
+        path = path_to_save(self._window, title, self._folder / f"{self.name}{endings[0]}", endings)
         if path is None:
             return
+        self._folder = path.parent
         try:
             write(path, self.name, choice, results)
         except StarskelError as error:
@@ -126,4 +129,5 @@ class Files(QObject):
         except StarskelError as error:
             complain(self._window, self.tr("{name} was not saved").format(name=path.name), error)
             return False
+        self._folder = path.parent
         return True

@@ -204,9 +204,12 @@ class MainWindow(QMainWindow):
             ("undo", self.tr("&Undo"), session.undoes),
             ("redo", self.tr("&Redo"), session.redoes),
         ):
-            actions[name].setEnabled(edit is not None or session.tool.busy)
+            actions[name].setEnabled(edit is not None)
             actions[name].setText(f"{label} {words.step(edit)}" if edit else label)
             actions[name].setIconText(label.replace("&", ""))
+        if session.tool.busy:  # then undo takes back a part of the gesture
+            actions["undo"].setEnabled(True)
+            actions["redo"].setEnabled(False)
         for action in self._menus["methods"].actions():
             action.setChecked(action.data() in session.document.methods)
 

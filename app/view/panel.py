@@ -42,7 +42,7 @@ class FrameView(QWidget):
         self._aim()
 
     def _aim(self) -> None:
-        self._camera = Camera().resized(self.width(), self.height()).fitting(self._extent, margin=0.07)
+        self._camera = Camera().resized(self.width(), self.height()).fitting(self._extent, margin=14)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)

@@ -29,6 +29,7 @@ class Status(QStatusBar):
         self.stop.setDefaultAction(actions["cancel"])
         self.stop.setAccessibleName(self.tr("Cancel"))
         self.setSizeGripEnabled(False)
+        self.setContentsMargins(8, 2, 8, 2)
         self.addWidget(self.hint, 1)
         for widget in (self.work, self.progress, self.stop):
             self.addPermanentWidget(widget)

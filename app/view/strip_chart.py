@@ -124,9 +124,7 @@ class StripChart(QWidget):
         painter.setPen(QColor(theme.muted))
         inner = plot.adjusted(5, 2, -5, -2)
         left = Qt.AlignmentFlag.AlignLeft
-        painter.drawText(
-            inner, left | Qt.AlignmentFlag.AlignTop, self.tr("area +{p}").format(p=percent(self.range))
-        )
+        painter.drawText(inner, left | Qt.AlignmentFlag.AlignTop, "+" + percent(self.range))
         painter.drawText(inner, left | Qt.AlignmentFlag.AlignBottom, "\N{MINUS SIGN}" + percent(self.range))
 
     def _paint_curve(

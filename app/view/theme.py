@@ -24,8 +24,8 @@ class Theme:
         Writing, and writing that may be overlooked.
     accent, on_accent : str
         What is selected or under the pointer, and writing on it.
-    source, target : str
-        The two shapes.
+    source, middle, target : str
+        The two shapes, and frames half-way between them.
     refused, simple : str
         What does not go, and what is in order.
     pins, pieces, methods : tuples of str
@@ -42,6 +42,7 @@ class Theme:
     accent: str
     on_accent: str
     source: str
+    middle: str
     target: str
     refused: str
     simple: str
@@ -54,13 +55,9 @@ class Theme:
         return QColor(self.source if side == "source" else self.target)
 
     def between(self, t: float) -> QColor:
-        """Give the colour of a frame: from the source's to the target's."""
-        a, b = QColor(self.source), QColor(self.target)
-        return QColor.fromRgbF(
-            a.redF() + t * (b.redF() - a.redF()),
-            a.greenF() + t * (b.greenF() - a.greenF()),
-            a.blueF() + t * (b.blueF() - a.blueF()),
-        )
+        """Give the colour of a frame, by way of a third: the mean of the two would be grey."""
+        source, middle, target = (QColor(c) for c in (self.source, self.middle, self.target))
+        return _mix(source, middle, 2 * t) if t < 0.5 else _mix(middle, target, 2 * t - 1)
 
 
 PINS = ("#1f5fbf", "#b3401f", "#2e7d32", "#8e3aa8", "#9a6700", "#00727a", "#c2185b", "#5d4037")
@@ -76,6 +73,7 @@ LIGHT = Theme(
     accent="#1a66d6",
     on_accent="#ffffff",
     source="#2f74d0",
+    middle="#9555b5",
     target="#d0701c",
     refused="#c8102e",
     simple="#1b7a3d",
@@ -95,6 +93,7 @@ DARK = Theme(
     accent="#5b9cf5",
     on_accent="#0d1116",
     source="#6ba4ee",
+    middle="#c58be0",
     target="#ef9a4d",
     refused="#ff6b78",
     simple="#6fcf8b",
@@ -102,6 +101,11 @@ DARK = Theme(
     pieces=("#35588a", "#8a5527", "#3a7047", "#704a80", "#7d6a24", "#2c6f73", "#84435a", "#655748"),
     methods=("#6ba4ee", "#ef9a4d", "#7ccf86", "#d08be6", "#5cc8ce", "#e0b64a"),
 )
+
+
+def _mix(a: QColor, b: QColor, share: float) -> QColor:
+    channels = zip((a.redF(), a.greenF(), a.blueF()), (b.redF(), b.greenF(), b.blueF()), strict=True)
+    return QColor.fromRgbF(*(x + share * (y - x) for x, y in channels))
 
 
 def theme_of(palette: QPalette) -> Theme:

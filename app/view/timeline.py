@@ -1,6 +1,6 @@
 """Timeline: the clock's controls, and below them the chart over the same stretch of t."""
 
-from PySide6.QtCore import QPointF, QSignalBlocker, QSize, Qt, Slot
+from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, QSize, Qt, Slot
 from PySide6.QtGui import QAction, QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QComboBox,
@@ -132,11 +132,15 @@ class Legend(QWidget):
     def _paint(self, painter: QPainter) -> None:
         theme = theme_of(self.palette())
         methods = self._session.document.methods
+        lanes = self.height() - LANE * len(methods)
         font = painter.font()
         font.setPointSizeF(8.0)
         painter.setFont(font)
+        painter.setPen(QColor(theme.muted))
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        painter.drawText(QRectF(0, 0, self.width() - 4, lanes), right, self.tr("Area drift"))
         for number, method in enumerate(methods):
-            middle = self.height() - 0.5 - LANE * (len(methods) - number) + LANE / 2
+            middle = lanes + LANE * (number + 0.5) - 0.5
             painter.setPen(method_pen(theme, number))
             painter.drawLine(QPointF(self.width() - 34, middle), QPointF(self.width() - 4, middle))
             painter.setPen(QColor(theme.muted))

@@ -77,7 +77,7 @@ def _marks_reason(first: Mark, second: Mark, document: Document) -> str:
 def _named(pair: Mark, document: Document) -> str:
     if pair in document.marks:
         return translate("Refusal", "mark {label}").format(label=mark(document.marks.index(pair)))
-    return translate("Refusal", "the new mark")
+    return translate("Refusal", "the new mark {label}").format(label=mark(len(document.marks)))
 
 
 def _capitalised(text: str) -> str:

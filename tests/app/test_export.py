@@ -1,0 +1,54 @@
+from pathlib import Path
+
+import pytest
+
+from app.compute import Result
+from app.export import ENDINGS, Choice, Layout, write
+from starskel import InvalidFile, blend, match, measure
+from starskel.files.examples import example
+
+
+@pytest.fixture(scope="module")
+def results() -> list[Result]:
+    project = example("star")
+    assert project.source is not None
+    assert project.target is not None
+    pair = match(project.source, project.target, project.marks)
+    blends = {method: blend(pair, method=method) for method in ("vertex", "edge-angle")}
+    return [Result(method, made, measure(made)) for method, made in blends.items()]
+
+
+@pytest.mark.parametrize(
+    ("layout", "ending"), [(layout, ending) for layout, endings in ENDINGS.items() for ending in endings]
+)
+def test_every_layout_is_written_in_each_of_its_formats(
+    layout: Layout, ending: str, results: list[Result], tmp_path: Path
+) -> None:
+    path = tmp_path / f"out{ending}"
+    write(path, "Star", Choice(layout, "vertex", frames=5), results)
+    text = path.read_text()
+    assert text.startswith({".svg": "<?xml", ".eps": "%!PS-Adobe-3.0 EPSF", ".ps": "%!PS-Adobe"}[ending])
+    assert text.count("%%Page:") == (5 if ending == ".ps" else text.count("%%Page:"))
+
+
+def test_a_row_holds_so_many_keyframes_and_a_frame_but_one(results: list[Result], tmp_path: Path) -> None:
+    write(tmp_path / "row.svg", "Star", Choice("row", "vertex", frames=7), results)
+    write(tmp_path / "one.svg", "Star", Choice("frame", "vertex", t=0.25), results)
+    assert (tmp_path / "row.svg").read_text().count('id="frame-') == 7
+    assert (tmp_path / "one.svg").read_text().count('id="frame-') == 1
+    assert "t = 0.25" in (tmp_path / "one.svg").read_text()
+
+
+def test_the_sheet_has_a_row_for_each_method(results: list[Result], tmp_path: Path) -> None:
+    write(tmp_path / "sheet.svg", "Star", Choice("sheet", "vertex"), results)
+    text = (tmp_path / "sheet.svg").read_text()
+    assert ">vertex<" in text
+    assert ">edge-angle<" in text
+
+
+def test_an_ending_that_does_not_fit_is_refused_before_anything_is_written(
+    results: list[Result], tmp_path: Path
+) -> None:
+    with pytest.raises(InvalidFile, match="end it in"):
+        write(tmp_path / "out.png", "Star", Choice("row", "vertex"), results)
+    assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,89 @@
+import pytest
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import QAbstractButton, QAbstractSlider, QAbstractSpinBox, QComboBox, QMenu, QWidget
+
+from app.view.canvas import Canvas
+from app.view.commands import COMMANDS, MENUS, TOOLBAR
+from app.view.main_window import MainWindow
+from app.view.theme import DARK, LIGHT, Theme, apply_theme
+
+ASKING = {"quit", "open", "save", "save-as", "export"}
+
+
+def menu_actions(menu: QMenu) -> list[QAction]:
+    return [
+        inner
+        for action in menu.actions()
+        for inner in (menu_actions(action.menu()) if action.menu() else [action])
+    ]
+
+
+def test_every_command_is_in_exactly_one_menu(window: MainWindow) -> None:
+    shown = [name for _, names in MENUS for name in names if name]
+    for command in COMMANDS:
+        assert shown.count(command.name) == 1
+    assert {name for name in TOOLBAR if name} <= {command.name for command in COMMANDS}
+    in_menus = [a for top in window.menuBar().actions() for a in menu_actions(top.menu())]
+    for command in COMMANDS:
+        assert window.actions_table[command.name] in in_menus
+
+
+def test_no_shortcut_is_given_twice() -> None:
+    keys = [QKeySequence(keys).toString() for command in COMMANDS for keys in command.keys]
+    assert all(keys)
+    assert len(keys) == len(set(keys))
+
+
+@pytest.mark.parametrize("command", [c.name for c in COMMANDS if c.name not in ASKING])
+def test_every_command_can_be_given_at_any_time(window: MainWindow, command: str) -> None:
+    window.actions_table[command].trigger()
+
+
+def test_every_control_has_an_accessible_name(window: MainWindow) -> None:
+    kinds = (QAbstractButton, QAbstractSlider, QAbstractSpinBox, QComboBox, Canvas)
+    inner = "qt_"  # parts of Qt's own widgets
+    for control in window.findChildren(QWidget):
+        if isinstance(control, kinds) and not control.objectName().startswith(inner):
+            named = control.accessibleName() or (isinstance(control, QAbstractButton) and control.text())
+            assert named, f"{control} has no accessible name"
+
+
+@pytest.mark.parametrize("theme", [LIGHT, DARK], ids=lambda theme: theme.name)
+def test_writing_stands_out_from_its_ground(theme: Theme) -> None:
+    """Contrast of at least 4.5 to 1 (WCAG 2.2, success criterion 1.4.3)."""
+    for colour in (theme.text, theme.muted, theme.refused, theme.simple):
+        for ground in (theme.window, theme.base):
+            assert contrast(colour, ground) >= 4.5, (colour, ground)
+    assert contrast(theme.on_accent, theme.accent) >= 4.5
+    for pin in theme.pins:
+        assert contrast("#ffffff", pin) >= 4.5, pin
+
+
+@pytest.mark.parametrize("theme", [LIGHT, DARK], ids=lambda theme: theme.name)
+def test_lines_stand_out_from_the_canvas(theme: Theme) -> None:
+    """Contrast of at least 3 to 1 (WCAG 2.2, success criterion 1.4.11)."""
+    for colour in (theme.source, theme.middle, theme.target, theme.accent, *theme.methods):
+        assert contrast(colour, theme.base) >= 3, colour
+
+
+def test_the_theme_is_switched_from_the_menu(window: MainWindow, qapp) -> None:  # type: ignore[no-untyped-def]
+    light = window.grab().toImage()
+    window.actions_table["dark"].trigger()
+    qapp.processEvents()
+    assert window.grab().toImage() != light
+    assert window.actions_table["dark"].isChecked()
+    window.actions_table["light"].trigger()
+    qapp.processEvents()
+    assert window.grab().toImage() == light
+    apply_theme(qapp, LIGHT)
+
+
+def contrast(first: str, second: str) -> float:
+    a, b = sorted((luminance(first), luminance(second)))
+    return (b + 0.05) / (a + 0.05)
+
+
+def luminance(colour: str) -> float:
+    channels = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]

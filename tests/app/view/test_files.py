@@ -1,0 +1,203 @@
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialogButtonBox,
+    QFileDialog,
+    QLineEdit,
+    QMessageBox,
+    QWidget,
+)
+
+from app.view.dialogs import PairDialog
+from app.view.export_dialog import ExportDialog
+from starskel.files.examples import example
+from starskel.files.pairs import ShapePair, write_pairs
+from starskel.files.project import read_project
+from tests.app.driver import CONTROL, SHIFT, SQUARE, Driver, name_file
+
+
+@pytest.fixture(autouse=True)
+def own_dialogs(qapp, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:  # type: ignore[no-untyped-def]
+    """Take Qt's own file dialogs, which can be typed into, not the desktop's; begin in an empty folder."""
+    qapp.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
+    monkeypatch.chdir(tmp_path)
+
+
+def press(kind: QMessageBox.StandardButton):  # type: ignore[no-untyped-def]
+    def act(dialog: QWidget) -> None:
+        assert isinstance(dialog, QMessageBox)
+        QTest.mouseClick(dialog.button(kind), Qt.MouseButton.LeftButton)
+
+    return act
+
+
+def test_a_drawing_is_saved_and_opened_again(driver: Driver, tmp_path: Path) -> None:
+    driver.draw_both()
+    driver.mark((10, 10), (10, 10))
+    saved = driver.document
+    assert driver.window.isWindowModified()
+    driver.in_dialog(lambda dialog: name_file(dialog, "boxes"))
+    driver.key(Qt.Key.Key_S, CONTROL)
+    assert not driver.window.isWindowModified()
+    assert "boxes" in driver.window.windowTitle()
+    assert read_project(tmp_path / "boxes.json").source == saved.source
+    driver.key(Qt.Key.Key_N, CONTROL)
+    assert driver.document.source is None
+    driver.in_dialog(lambda dialog: name_file(dialog, "boxes.json"))
+    driver.key(Qt.Key.Key_O, CONTROL)
+    assert driver.document.source == saved.source
+    assert driver.document.marks == saved.marks
+
+
+def test_saving_again_asks_nothing_and_undo_back_to_the_saved_state_is_clean(
+    driver: Driver, tmp_path: Path
+) -> None:
+    driver.draw("source", SQUARE)
+    driver.in_dialog(lambda dialog: name_file(dialog, "box.json"))
+    driver.key(Qt.Key.Key_S, CONTROL)
+    driver.key(Qt.Key.Key_A, CONTROL)
+    driver.key(Qt.Key.Key_Delete)
+    assert driver.window.isWindowModified()
+    driver.key(Qt.Key.Key_Z, CONTROL)
+    assert not driver.window.isWindowModified()
+    driver.key(Qt.Key.Key_Y, CONTROL)
+    driver.key(Qt.Key.Key_S, CONTROL)
+    assert read_project(tmp_path / "box.json").source is None
+
+
+def test_closing_asks_about_unsaved_changes(driver: Driver, tmp_path: Path) -> None:
+    driver.draw("source", SQUARE)
+    driver.in_dialog(press(QMessageBox.StandardButton.Cancel))
+    driver.window.close()
+    assert driver.window.isVisible()
+
+    def save(dialog: QWidget) -> None:
+        driver.in_dialog(lambda inner: name_file(inner, "kept.json"))
+        press(QMessageBox.StandardButton.Save)(dialog)
+
+    driver.in_dialog(save)
+    driver.window.close()
+    assert not driver.window.isVisible()
+    assert read_project(tmp_path / "kept.json").source is not None
+
+
+def test_discarding_is_possible(driver: Driver) -> None:
+    driver.draw("source", SQUARE)
+    driver.in_dialog(press(QMessageBox.StandardButton.Discard))
+    driver.key(Qt.Key.Key_N, CONTROL)
+    assert driver.document.source is None
+
+
+@pytest.mark.parametrize(
+    "content", ["", "{", '{"format": "starskel-project", "version": 1}', '{"format": "other"}', "[1]"]
+)
+def test_a_damaged_file_is_explained_and_nothing_is_lost(
+    driver: Driver, tmp_path: Path, content: str
+) -> None:
+    driver.draw("source", SQUARE)
+    kept = driver.document
+    path = tmp_path / "damaged.json"
+    path.write_text(content)
+    said: list[str] = []
+
+    def read(dialog: QWidget) -> None:
+        assert isinstance(dialog, QMessageBox)
+        said.append(dialog.text() + dialog.informativeText())
+        dialog.accept()
+
+    driver.in_dialog(read)
+    driver.window.files.open(path)
+    assert "damaged.json" in said[0]
+    assert driver.document == kept
+    assert driver.session.undoes == "Draw shape"
+
+
+def test_a_project_whose_marks_cross_is_explained(driver: Driver, tmp_path: Path) -> None:
+    rows = "[[0,0],[9,0],[9,9],[0,9]]"
+    path = tmp_path / "crossed.json"
+    path.write_text(
+        f'{{"format":"starskel-project","version":1,"name":"x","source":{rows},"target":{rows},'
+        '"marks":[[0,0],[1,2],[2,1]],"methods":[]}'
+    )
+    said: list[str] = []
+
+    def read(dialog: QWidget) -> None:
+        assert isinstance(dialog, QMessageBox)
+        said.append(dialog.informativeText())
+        dialog.accept()
+
+    driver.in_dialog(read)
+    driver.window.files.open(path)
+    assert "order" in said[0]
+    assert driver.document.source is None
+
+
+def test_one_of_many_pairs_is_chosen_by_its_name(driver: Driver, tmp_path: Path) -> None:
+    names = ("arm", "star", "ribbon")
+    path = tmp_path / "pairs.json"
+    write_pairs(path, [_pair(name) for name in names])
+
+    def choose(dialog: QWidget) -> None:
+        assert isinstance(dialog, PairDialog)
+        field = dialog.findChild(QLineEdit)
+        assert field is not None
+        QTest.keyClicks(field, "sta")
+        QTest.keyClick(field, Qt.Key.Key_Return)
+
+    driver.in_dialog(choose)
+    driver.window.files.open(path)
+    assert driver.document.name == "star"
+    assert driver.document.marks == _pair("star").marks
+    assert "star" in driver.window.windowTitle()
+
+
+def test_keyframes_are_exported_through_the_dialogs(driver: Driver, tmp_path: Path) -> None:
+    driver.draw_both()
+    driver.wait_for_blends()
+    for row, name in enumerate(("row.svg", "frame.eps", "pages.ps", "sheet.svg")):
+        driver.in_dialog(_exporting(driver, row, tmp_path / name))
+        driver.key(Qt.Key.Key_E, CONTROL)
+        assert (tmp_path / name).stat().st_size > 500
+        assert name in driver.window.statusBar().currentMessage()
+
+
+def test_there_is_nothing_to_export_before_there_is_a_blend(driver: Driver) -> None:
+    assert not driver.window.actions_table["export"].isEnabled()
+
+
+def test_save_as_goes_to_another_file(driver: Driver, tmp_path: Path) -> None:
+    driver.draw("source", SQUARE)
+    for name in ("one.json", "two.json"):
+        driver.in_dialog(lambda dialog, name=name: name_file(dialog, name))
+        driver.key(Qt.Key.Key_S, CONTROL | SHIFT)
+        assert (tmp_path / name).exists()
+    assert driver.session.path == tmp_path / "two.json"
+
+
+def _exporting(driver: Driver, row: int, path: Path):  # type: ignore[no-untyped-def]
+    def act(dialog: QWidget) -> None:
+        assert isinstance(dialog, ExportDialog)
+        layouts = dialog.findChildren(QComboBox)[0]
+        for _ in range(row):
+            QTest.keyClick(layouts, Qt.Key.Key_Down)
+        driver.in_dialog(lambda inner: _name(inner, path))
+        save = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save)  # type: ignore[union-attr]
+        QTest.mouseClick(save, Qt.MouseButton.LeftButton)
+
+    return act
+
+
+def _name(dialog: QWidget, path: Path) -> None:
+    assert isinstance(dialog, QFileDialog), type(dialog)
+    name_file(dialog, path.name)
+
+
+def _pair(name: str) -> ShapePair:
+    project = example(name)
+    assert project.source is not None
+    assert project.target is not None
+    return ShapePair(name, project.source, project.target, project.marks)

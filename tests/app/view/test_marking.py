@@ -1,0 +1,81 @@
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication
+
+from app.view import words
+from starskel.errors import InvalidMarks
+from tests.app.driver import CONTROL, Driver
+
+
+@pytest.fixture
+def squares(driver: Driver) -> Driver:
+    driver.draw_both()
+    return driver
+
+
+def test_two_clicks_set_a_mark_and_undo_removes_it(squares: Driver) -> None:
+    squares.mark((90, 10), (90, 10))
+    squares.mark((90, 90), (90, 90))
+    assert squares.document.marks == ((1, 1), (2, 2))
+    squares.key(Qt.Key.Key_Z, CONTROL)
+    assert squares.document.marks == ((1, 1),)
+    assert squares.session.redoes == "Set mark"
+
+
+def test_an_impossible_mark_is_refused_with_the_reason_and_both_pins(squares: Driver) -> None:
+    squares.mark((10, 10), (10, 10))
+    squares.mark((90, 10), (90, 90))
+    squares.mark((90, 90), (90, 10))
+    assert squares.document.marks == ((0, 0), (1, 2))
+    refusal = squares.session.refusal
+    assert refusal is not None
+    assert isinstance(refusal.error, InvalidMarks)
+    assert len(set(refusal.marks)) == 2
+    assert (2, 1) in refusal.marks
+    reason = words.reason(refusal.error, squares.document)
+    assert "new mark 3 c" in reason
+    squares.wait(lambda: _shows_red(squares, 90, 90) and _shows_red(squares, 90, 10, "target"))
+
+
+def test_a_click_on_a_pin_removes_it_and_a_drag_moves_it(squares: Driver) -> None:
+    squares.mark((10, 10), (10, 10))
+    squares.mark((90, 10), (90, 10))
+    squares.drag("target", (90, 10), (50, 50), (90, 90))
+    assert squares.document.marks == ((0, 0), (1, 2))
+    squares.click("source", (10, 10))
+    assert squares.document.marks == ((1, 2),)
+
+
+def test_escape_gives_a_begun_mark_up(squares: Driver) -> None:
+    squares.key(Qt.Key.Key_M)
+    squares.click("source", (10, 10))
+    squares.key(Qt.Key.Key_Escape)
+    squares.click("target", (10, 10))
+    assert squares.document.marks == ()
+
+
+def test_inserting_a_vertex_keeps_marks_on_their_vertices(squares: Driver) -> None:
+    squares.mark((90, 90), (90, 90))
+    squares.key(Qt.Key.Key_S)
+    squares.double_click("source", 50, 10)
+    assert squares.document.marks == ((3, 2),)
+    assert squares.corners("source")[3] == [90, 90]
+
+
+def test_labels_count_in_numbers_and_letters() -> None:
+    assert [words.mark(index) for index in (0, 25, 26, 27, 701)] == [
+        "1 a",
+        "26 z",
+        "27 aa",
+        "28 ab",
+        "702 zz",
+    ]
+
+
+def _shows_red(driver: Driver, x: float, y: float, side: str = "source") -> bool:
+    """Look for the red ring round a vertex."""
+    QApplication.processEvents()
+    image = driver.window.grab().toImage()
+    middle = driver.place(side, x, y)  # type: ignore[arg-type]
+    colours = [image.pixelColor(middle.x() + dx, middle.y()) for dx in (-12, -11, -10, 10, 11, 12)]
+    return any(colour.red() > 150 and colour.green() < 60 and colour.blue() < 80 for colour in colours)

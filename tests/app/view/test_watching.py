@@ -1,0 +1,141 @@
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLabel
+
+from app.playback import Repeat
+from starskel import METHODS
+from starskel.files.examples import example
+from tests.app.driver import LEFT, PLAIN, Driver
+
+
+@pytest.fixture
+def arm(driver: Driver) -> Driver:
+    driver.session.show_project(example("arm"))
+    driver.wait_for_blends()
+    return driver
+
+
+def verdict(driver: Driver, method: str) -> str:
+    label = driver.window.findChild(QLabel, f"{method}-verdict")
+    assert label is not None
+    return label.text()
+
+
+def test_drawing_two_shapes_is_enough_for_all_blends(driver: Driver) -> None:
+    driver.draw_both()
+    driver.wait_for_blends()
+    assert [result.method for result in driver.session.fresh_results] == list(METHODS[::-1])
+
+
+def test_each_method_gets_a_verdict(arm: Driver) -> None:
+    for method in METHODS:
+        assert "area" in verdict(arm, method)
+    assert verdict(arm, "stitched").startswith("✓ simple")
+    assert verdict(arm, "vertex").startswith("✕ crosses at t = .")
+
+
+def test_play_moves_t_and_pause_holds_it(arm: Driver) -> None:
+    arm.key(Qt.Key.Key_P)
+    assert arm.window.player.playing
+    arm.wait(lambda: arm.window.player.t > 0.02)
+    arm.key(Qt.Key.Key_P)
+    held = arm.window.player.t
+    QTest.qWait(50)
+    assert arm.window.player.t == held
+    field = arm.window.findChild(QDoubleSpinBox, "t")
+    assert field is not None
+    assert field.value() == pytest.approx(held, abs=0.006)
+
+
+def test_playing_computes_nothing(arm: Driver) -> None:
+    results = dict(arm.session.results)
+    arm.key(Qt.Key.Key_P)
+    QTest.qWait(100)
+    arm.key(Qt.Key.Key_P)
+    assert arm.session.results == results
+    assert not arm.session.busy
+
+
+def test_a_click_on_the_slider_and_on_the_chart_goes_there(arm: Driver) -> None:
+    for widget in (arm.window.timeline.slider, arm.window.timeline.chart):
+        for share in (0.25, 0.75):
+            x = widget.inset + share * (widget.width() - 2 * widget.inset)
+            QTest.mouseClick(widget, LEFT, PLAIN, QPoint(round(x), widget.height() // 2))
+            assert arm.window.player.t == pytest.approx(share, abs=0.005)
+
+
+def test_chart_and_slider_have_one_scale(arm: Driver) -> None:
+    slider, chart = arm.window.timeline.slider, arm.window.timeline.chart
+    assert slider.width() == chart.width()
+    assert slider.mapTo(arm.window, QPoint()).x() == chart.mapTo(arm.window, QPoint()).x()
+    assert slider.inset == chart.inset
+
+
+def test_home_and_end_go_to_the_shapes(arm: Driver) -> None:
+    arm.key(Qt.Key.Key_End)
+    assert arm.window.player.t == 1
+    arm.key(Qt.Key.Key_Home)
+    assert arm.window.player.t == 0
+
+
+def test_repeat_and_speed_are_chosen_by_keys(arm: Driver) -> None:
+    repeat, speed = (arm.window.findChild(QComboBox, name) for name in ("repeat", "speed"))
+    assert repeat is not None
+    assert speed is not None
+    QTest.keyClick(repeat, Qt.Key.Key_Down)
+    assert arm.window.player.repeat is Repeat.LOOP
+    QTest.keyClick(speed, Qt.Key.Key_Down)
+    assert arm.window.player.speed == 2
+
+
+@pytest.mark.parametrize("switches", [("pieces",), ("skeleton",), ("pieces", "skeleton")])
+def test_pieces_and_skeleton_change_what_is_painted(arm: Driver, switches: tuple[str, ...]) -> None:
+    arm.window.player.seek(0.4)
+    view = arm.window.panels.panel("stitched").view
+    plain = view.grab().toImage()
+    for name in switches:
+        arm.window.actions_table[name].trigger()
+    assert view.grab().toImage() != plain
+    for name in switches:
+        arm.window.actions_table[name].trigger()
+    assert view.grab().toImage() == plain
+
+
+def test_methods_are_chosen_from_the_menu_and_the_choice_is_undone(arm: Driver) -> None:
+    (menu,) = (
+        m
+        for m in arm.window.findChildren(type(arm.window.menuBar().actions()[0].menu()))
+        if "Methods" in m.title()
+    )
+    vertex = next(action for action in menu.actions() if action.data() == "vertex")
+    vertex.trigger()
+    assert "vertex" not in arm.document.methods
+    assert len(arm.session.fresh_results) == len(METHODS) - 1
+    arm.session.undo()
+    arm.wait_for_blends()
+    assert len(arm.session.fresh_results) == len(METHODS)
+
+
+def test_an_edit_leaves_the_last_blend_on_screen_marked_out_of_date(arm: Driver) -> None:
+    before = arm.session.results["stitched"].result
+    x, y = arm.document.vertices("source")[0].tolist()
+    arm.key(Qt.Key.Key_S)
+    arm.drag("source", (x, y), (x - 3, y - 3))
+    assert arm.session.results["stitched"].result is before
+    assert "out of date" in verdict(arm, "stitched")
+    arm.wait_for_blends()
+    assert arm.session.results["stitched"].result is not before
+    assert "out of date" not in verdict(arm, "stitched")
+
+
+def test_escape_cancels_the_computation_and_f5_takes_it_up_again(arm: Driver) -> None:
+    arm.session.recompute()
+    assert arm.session.busy
+    arm.key(Qt.Key.Key_Escape)
+    assert not arm.session.busy
+    QTest.qWait(100)
+    assert arm.session.results["stitched"].stale
+    arm.key(Qt.Key.Key_F5)
+    arm.wait_for_blends()
+    assert not arm.session.results["stitched"].stale
