@@ -75,10 +75,10 @@ def _merge_all(tiling: Tiling, pieces: list[Piece], task: Task) -> None:
             task.reach(0)
             if pair in refused or not (pair[0] in pieces and pair[1] in pieces):
                 continue
-            union = _union(*pair)
-            if union is not None and tiling.is_star(union):
+            whole = union(*pair)
+            if whole is not None and tiling.is_star(whole):
                 pieces.remove(pair[0])
-                pieces[pieces.index(pair[1])] = union
+                pieces[pieces.index(pair[1])] = whole
                 merged = True
             else:
                 refused.add(pair)
@@ -95,12 +95,14 @@ def _neighbouring(tiling: Tiling, pieces: list[Piece]) -> list[tuple[Piece, Piec
     return [(owner[a, b], owner[b, a]) for a, b in (shared[i] for i in longest_first)]
 
 
-def _union(first: Piece, second: Piece) -> Piece | None:
+def union(first: Piece, second: Piece) -> Piece | None:
     """Give the ring round two neighbours, None where they enclose something or touch twice."""
     edges = _edges(first) + _edges(second)
     inner = set(edges) & {(b, a) for a, b in edges}
     outer = [edge for edge in edges if edge not in inner]
     onward = dict(outer)
+    if len(onward) < len(outer):
+        return None
     ring = [outer[0][0]]
     while (following := onward[ring[-1]]) != ring[0]:
         ring.append(following)

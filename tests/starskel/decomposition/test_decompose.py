@@ -8,6 +8,7 @@ from starskel.decomposition import Decomposition, decompose
 from starskel.decomposition.ladder import climb
 from starskel.decomposition.minimal import Piece
 from starskel.decomposition.overlay import crossings, overlay
+from starskel.decomposition.reduce import union
 from starskel.decomposition.tiling import Tiling
 from starskel.decomposition.verify import faults
 from starskel.errors import Cancelled, NoDecomposition
@@ -234,3 +235,9 @@ class TestProof:
             target_origins=right.target_origins[:1],
         )
         assert any("not seen whole" in fault for fault in faults(whole))
+
+
+def test_pieces_that_touch_at_a_vertex_besides_their_edge_are_not_merged():
+    assert union((0, 1, 2, 3), (2, 1, 4, 5)) == (0, 1, 4, 5, 2, 3)
+    assert union((0, 1, 2, 3), (2, 1, 4, 0)) is None
+    assert union((0, 1, 2, 3, 4, 5), (2, 1, 6, 4, 3, 7)) is None
