@@ -10,12 +10,16 @@ from numpy.typing import NDArray
 
 from starskel.outline import edge_lengths, turning_angles
 from starskel.predicates import Floats
+from starskel.task import Task
 
 TURN_PRICE = 0.3
 """The price of a difference in turning angle by pi; a difference in share by the whole length costs 1."""
 
 ALONE_PRICE = 0.3
 """The price of a vertex without a partner, beside that of its turning angle."""
+
+_UNWATCHED = 16
+"""So many diagonals are filled between two questions whether to stop."""
 
 _MATCH, _SKIP_FIRST, _SKIP_SECOND = 0, 1, 2
 
@@ -49,9 +53,9 @@ class Chains:
         return cls(arcs[:, :-1] / arcs[:, -1:], turning_angles(ring)[order[:, 1:]])
 
 
-def align(first: Chains, second: Chains) -> list[tuple[int, int]]:
+def align(first: Chains, second: Chains, task: Task) -> list[tuple[int, int]]:
     """Give the matched pairs of inner vertices of two chains, in order."""
-    _, moves = _cheapest(first, second, keep_moves=True)
+    _, moves = _cheapest(first, second, task, keep_moves=True)
     pairs = []
     i, j = first.shares.shape[-1], second.shares.shape[-1]
     while i and j:
@@ -63,12 +67,14 @@ def align(first: Chains, second: Chains) -> list[tuple[int, int]]:
     return pairs[::-1]
 
 
-def alignment_prices(first: Chains, second: Chains) -> Floats:
+def alignment_prices(first: Chains, second: Chains, task: Task) -> Floats:
     """Give the price of the cheapest alignment of the chains, for each of the alternatives."""
-    return _cheapest(first, second, keep_moves=False)[0]
+    return _cheapest(first, second, task, keep_moves=False)[0]
 
 
-def _cheapest(first: Chains, second: Chains, keep_moves: bool) -> tuple[Floats, list[NDArray[np.int8]]]:
+def _cheapest(
+    first: Chains, second: Chains, task: Task, keep_moves: bool
+) -> tuple[Floats, list[NDArray[np.int8]]]:
     """Fill the table of prices by anti-diagonals; cell (i, j) aligns the first i and j inner vertices.
 
     Whole diagonals at once, with the second chain reversed so that both are read forwards. Column i of a
@@ -81,6 +87,8 @@ def _cheapest(first: Chains, second: Chains, keep_moves: bool) -> tuple[Floats, 
     last[..., 1] = 0.0
     moves = [np.zeros(p + 1, dtype=np.int8)]
     for diagonal in range(1, p + q + 1):
+        if diagonal % _UNWATCHED == 0:
+            task.reach(0)
         low, high = max(0, diagonal - q), min(p, diagonal) + 1
         rows, columns = slice(low, high), slice(q - diagonal + low, q - diagonal + high)
         match = np.abs(one.shares[..., rows] - other.shares[..., columns])

@@ -15,6 +15,7 @@ from starskel.outline import precedes
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
 from starskel.start import best_start
+from starskel.task import ShouldStop, Task
 
 Number = TypeVar("Number", np.float64, np.intp)
 PolygonLike: TypeAlias = Polygon | shapely.Polygon | ArrayLike
@@ -44,19 +45,28 @@ class Correspondence:
         return len(self.source)
 
 
-def match(source: PolygonLike, target: PolygonLike, marks: Iterable[tuple[int, int]] = ()) -> Correspondence:
+def match(
+    source: PolygonLike,
+    target: PolygonLike,
+    marks: Iterable[tuple[int, int]] = (),
+    *,
+    should_stop: ShouldStop | None = None,
+) -> Correspondence:
     """Complete a partial correspondence between two polygons.
 
     The marks cut both outlines into chains, whose vertices are aligned by share of the length and by turning
     angle. A vertex left alone gets a new partner on an edge of the other polygon, by edge lengths between its
     matched neighbours (paper, section 5). The shapes do not change, and exchanging them gives the same pairs
-    of vertices. Without marks the outlines are aligned from the start that suits them best.
+    of vertices. Without marks the outlines are aligned from the start that suits them best; of two about as
+    good, it is the one that turns the shape less.
 
     Parameters
     ----------
     source, target : Polygon, shapely Polygon or (n, 2) array-like
     marks : iterable of (int, int)
         Vertices that correspond, as indices of the points given, from 0.
+    should_stop : callable, optional
+        Asked often whether to give up.
 
     Raises
     ------
@@ -64,16 +74,20 @@ def match(source: PolygonLike, target: PolygonLike, marks: Iterable[tuple[int, i
         Where the points form no simple polygon, or an edge is too short to take new vertices.
     InvalidMarks
         Where a mark names a missing vertex, or two of them contradict each other.
+    Cancelled
+        If ``should_stop`` answered True.
     """
+    task = Task(should_stop=should_stop)
     polygons = _as_polygon(source), _as_polygon(target)
+    task.reach(0)
     given = as_marks(marks)
     own = checked_marks(*polygons, given)
     rings = polygons[0].vertices, polygons[1].vertices
     if precedes(rings[1], rings[0]):
-        points, vertices = _completed(rings[::-1], [(j, i) for i, j in own])
+        points, vertices = _completed(rings[::-1], [(j, i) for i, j in own], task)
         points, vertices = points[::-1], vertices[::-1]
     else:
-        points, vertices = _completed(rings, own)
+        points, vertices = _completed(rings, own, task)
     start = int(np.flatnonzero(vertices[0] == 0)[0])
     source_ring, target_ring = (_read_only(np.roll(ring, -start, axis=0)) for ring in points)
     source_rows, target_rows = (_read_only(np.roll(rows, -start)) for rows in vertices)
@@ -85,19 +99,19 @@ def _as_polygon(shape: PolygonLike) -> Polygon:
 
 
 def _completed(
-    rings: tuple[Floats, Floats], marks: list[Mark]
+    rings: tuple[Floats, Floats], marks: list[Mark], task: Task
 ) -> tuple[tuple[Floats, Floats], NDArray[np.intp]]:
     """Give both rings with as many points, and for each of these the vertex, or -1."""
-    matched = _aligned(*rings, sorted(marks) or [best_start(*rings)])
+    matched = _aligned(*rings, sorted(marks) or [best_start(*rings, task)], task)
     rows = merged(rings, np.array(matched, dtype=np.intp))
     return (inserted(rings[0], rows, 0), inserted(rings[1], rows, 1)), rows.vertices
 
 
-def _aligned(source: Floats, target: Floats, marks: list[Mark]) -> list[Mark]:
+def _aligned(source: Floats, target: Floats, marks: list[Mark], task: Task) -> list[Mark]:
     """Give all pairs of vertices that correspond, in the order round the source from the first mark."""
     matched: list[Mark] = []
     for (i, j), (next_i, next_j) in zip(marks, [*marks[1:], marks[0]], strict=True):
-        pairs = align(Chains.of(source, i, next_i), Chains.of(target, j, next_j))
+        pairs = align(Chains.of(source, i, next_i), Chains.of(target, j, next_j), task)
         matched.append((i, j))
         matched += [((i + 1 + k) % len(source), (j + 1 + m) % len(target)) for k, m in pairs]
     return matched

@@ -8,11 +8,13 @@ from numpy.typing import NDArray
 from starskel.alignment import TURN_PRICE, Chains, alignment_prices
 from starskel.outline import edge_lengths, edge_vectors, turning_angles
 from starskel.predicates import Floats
+from starskel.task import Task
 
 ROTATION_PRICE = 0.03
 """The price, for each vertex, of turning the whole shape by pi: people expect the upright alignment."""
 
 _SAMPLES = 64
+_SHARPEST = 64
 _OFFSETS = 32
 _STARTS_PER_OFFSET = 4
 _CELLS = 10_000_000
@@ -38,14 +40,15 @@ class _Views(NamedTuple):
     turns: Floats
 
 
-def best_start(source: Floats, target: Floats) -> tuple[int, int]:
+def best_start(source: Floats, target: Floats, task: Task) -> tuple[int, int]:
     """Give a vertex of each ring such that the whole outlines align at the least price from there.
 
     The likeliest starts are found by comparing directions along the outlines, then aligned in full.
     """
     views = _views(source), _views(target)
     i, j = _candidates(*views, most=max(3, _CELLS // (len(source) * len(target))))
-    prices = alignment_prices(Chains.round(source, i), Chains.round(target, j))
+    task.reach(0)
+    prices = alignment_prices(Chains.round(source, i), Chains.round(target, j), task)
     rotations = np.angle(np.exp(1j * (views[1].directions[j] - views[0].directions[i])))
     prices += TURN_PRICE / np.pi * np.abs(views[0].turns[i] - views[1].turns[j])
     prices += ROTATION_PRICE / np.pi * np.abs(rotations) * max(len(source), len(target))
@@ -68,10 +71,16 @@ def _views(ring: Floats) -> _Views:
 
 
 def _candidates(source: _Views, target: _Views, most: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Give the likeliest pairs of starts: a few of each offset between the outlines, the likeliest first."""
-    unlike = _distances(source.shapes, target.shapes) + np.abs(source.turns[:, None] - target.turns)
+    """Give the likeliest pairs of starts: a few of each offset between the outlines, the likeliest first.
+
+    In the source only the sharpest vertices are considered: these have a partner, if any have.
+    """
+    sharpest = np.argsort(-np.abs(source.turns), kind="stable")[:_SHARPEST]
+    unlike = _distances(source.shapes[sharpest], target.shapes)
+    unlike += np.abs(source.turns[sharpest, None] - target.turns)
     offsets = (_OFFSETS * (source.shares[:, None] - target.shares)).round().astype(np.intp) % _OFFSETS
     i, j = np.unravel_index(np.argsort(unlike, axis=None, kind="stable"), unlike.shape)
+    i = sharpest[i]
     by_offset = np.argsort(offsets[i, j], kind="stable")
     sorted_offsets = offsets[i, j][by_offset]
     rank = np.arange(len(i)) - np.searchsorted(sorted_offsets, sorted_offsets)

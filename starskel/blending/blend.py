@@ -90,9 +90,9 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     chosen = target if isinstance(target, str) else method
     if chosen not in METHODS:
         raise UnknownMethod(f'there is no method "{chosen}"', "choose one of " + ", ".join(METHODS))
-    pair = _pair(source, None if isinstance(target, str) else target, marks)
     task = Task(progress, should_stop)
     task.reach(0)
+    pair = _pair(source, None if isinstance(target, str) else target, marks, should_stop)
     whole: dict[str, Callable[[], Blend]] = {
         "vertex": lambda: VertexBlend(pair),
         "edge-angle": lambda: EdgeAngleBlend(pair),
@@ -107,12 +107,15 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
 
 
 def _pair(
-    source: Correspondence | PolygonLike, target: PolygonLike | None, marks: Iterable[tuple[int, int]]
+    source: Correspondence | PolygonLike,
+    target: PolygonLike | None,
+    marks: Iterable[tuple[int, int]],
+    should_stop: ShouldStop | None,
 ) -> Correspondence:
     if not isinstance(source, Correspondence):
         if target is None:
             raise StarskelError("the target is missing", "give two polygons, or a pair made by match")
-        return match(source, target, marks)
+        return match(source, target, marks, should_stop=should_stop)
     if target is not None or tuple(marks):
         raise StarskelError("a pair has its target and its marks already", "give the pair alone")
     return source

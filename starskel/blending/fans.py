@@ -9,6 +9,7 @@ from starskel.decomposition.kernel import star_point, star_vertices
 from starskel.decomposition.pieces import Decomposition
 from starskel.points import Points, points_of
 from starskel.predicates import Floats
+from starskel.task import Task
 
 Triangle = tuple[int, int, int]
 
@@ -34,7 +35,7 @@ class Fans:
     hubs: tuple[tuple[int, ...], ...]
 
 
-def fans_of(decomposition: Decomposition) -> Fans:
+def fans_of(decomposition: Decomposition, task: Task) -> Fans:
     """Cut every piece into a fan; a piece of three vertices stays one triangle.
 
     The hub is the centroid of the kernel, in each polygon its own. Where a kernel has no inside, the hub is
@@ -46,6 +47,7 @@ def fans_of(decomposition: Decomposition) -> Fans:
     hubs: list[tuple[int, ...]] = []
     exact = _exact_points(decomposition)
     for piece in decomposition.pieces:
+        task.reach(0)
         if len(piece) == 3:
             triangles.append((piece[0], piece[1], piece[2]))
             hubs.append(piece)

@@ -38,12 +38,14 @@ class StitchedBlend(PieceBlend):
         super().__init__(decomposition, skeleton_of(decomposition, root))
         self._backwards = precedes(decomposition.target, decomposition.source)
         forwards = _exchanged(decomposition) if self._backwards else decomposition
-        fans = fans_of(forwards)
+        watched = task or Task()
+        fans = fans_of(forwards, watched)
+        watched.reach(0.02)
         self._pair = forwards.pair
         self._hubs = fans.hubs
-        watched = task or Task()
-        watched.reach(0)
-        graph = graph_of(mesh_of(fans, len(self.pair)))
+        mesh = mesh_of(fans, len(self.pair))
+        watched.reach(0.04)
+        graph = graph_of(mesh)
         self._stitch = stiffened(graph, len(self.pair), watched.part(0.1, 1))
         self.errors = self._placed(np.array([0.0, 1.0])) - np.stack([fans.source, fans.target])
 

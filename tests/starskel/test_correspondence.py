@@ -8,10 +8,11 @@ from hypothesis import strategies as st
 
 from starskel.alignment import ALONE_PRICE, TURN_PRICE, Chains, align, alignment_prices
 from starskel.correspondence import match
-from starskel.errors import InvalidMarks, InvalidPolygon
+from starskel.errors import Cancelled, InvalidMarks, InvalidPolygon
 from starskel.insertion import inserted, merged
 from starskel.outline import edge_lengths
 from starskel.polygon import Polygon, crossing_edges
+from starskel.task import Task
 from tests.families import blob, related, spiral, subdivided, turned, two_opt
 
 TRIANGLE = np.array([(0.0, 0.0), (4.0, 0.0), (0.0, 3.0)])
@@ -198,9 +199,9 @@ def test_the_alignment_is_the_cheapest_of_all():
             for a in combinations(range(p), k)
             for b in combinations(range(q), k)
         ]
-        found = align(first, second)
+        found = align(first, second, Task())
         assert price(first, second, found) == pytest.approx(min(every), abs=1e-12)
-        assert alignment_prices(first, second) == pytest.approx(min(every), abs=1e-12)
+        assert alignment_prices(first, second, Task()) == pytest.approx(min(every), abs=1e-12)
 
 
 @pytest.mark.parametrize("seed", range(20))
@@ -214,6 +215,17 @@ def test_two_thousand_vertices_without_marks():
     ring = blob(2000, arms=5, depth=0.5)
     pair = match(ring, np.roll(ring, -777, axis=0))
     np.testing.assert_array_equal(pair.target_vertices, (np.arange(2000) - 777) % 2000)
+
+
+def test_a_long_alignment_can_be_stopped():
+    asked = []
+
+    def should_stop():
+        asked.append(None)
+        return len(asked) == 5
+
+    with pytest.raises(Cancelled):
+        match(blob(600), blob(600, seed=1), should_stop=should_stop)
 
 
 def test_results_cannot_be_changed_and_are_equal_to_the_bit():

@@ -1,6 +1,8 @@
 import numpy as np
 import pytest
 import shapely
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 import starskel
 from starskel.blending import METHODS
@@ -189,6 +191,18 @@ def test_contradictory_calls_are_refused():
         blend(pair, marks=marks)
     with pytest.raises(StarskelError, match="belongs to another pair"):
         blend(match(source, target, marks), decomposition=decomposition_of("letter-T-Y"))
+
+
+@given(st.integers(4, 13), st.integers(4, 13), st.integers(0, 60), st.sampled_from(METHODS), st.booleans())
+@settings(max_examples=60, deadline=None)
+def test_any_two_polygons_are_blended(n, m, seed, method, on_grid):
+    source, target = two_opt(n, seed, grid=6 * on_grid), two_opt(m, seed + 100, grid=6 * on_grid)
+    prepared_blend = blend(source, target, method=method)
+    frames = prepared_blend.frames(TIMES)
+    assert np.isfinite(frames).all()
+    np.testing.assert_allclose(frames[0], prepared_blend.pair.source, atol=1e-11)
+    np.testing.assert_allclose(frames[-1], prepared_blend.pair.target, atol=1e-11)
+    assert np.ptp(frames, axis=(0, 1)).max() < 10 * size_of(prepared_blend.pair)
 
 
 @every_method

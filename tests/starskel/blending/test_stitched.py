@@ -11,6 +11,7 @@ from starskel.blending.stitched import StitchedBlend
 from starskel.correspondence import match
 from starskel.decomposition import decompose
 from starskel.outline import cross_themselves, signed_areas
+from starskel.task import Task
 from tests.families import subdivided, turned, two_opt
 from tests.starskel.blending.cases import CASES, decomposition_of, size_of
 
@@ -19,7 +20,7 @@ TIMES = np.linspace(0, 1, 103)
 
 def mesh_for(name):
     decomposition = decomposition_of(name)
-    return mesh_of(fans_of(decomposition), len(decomposition.pair))
+    return mesh_of(fans_of(decomposition, Task()), len(decomposition.pair))
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -66,7 +67,7 @@ def test_where_only_a_vertex_sees_everything_it_is_the_hub_and_is_not_doubled():
     source = np.array([(0, 0), (6, 0), (6, 3), (2, 1), (1, 2), (3, 6), (0, 6)], dtype=float)
     target = np.array([(0, 0), (6, 0), (8, 4), (2, 1), (1, 2), (2, 4), (0, 5)], dtype=float)
     decomposition = decompose(match(source, target, [(k, k) for k in range(7)]))
-    fans = fans_of(decomposition)
+    fans = fans_of(decomposition, Task())
     assert fans.hubs == ((0,),)
     np.testing.assert_array_equal(fans.source, source)
     np.testing.assert_array_equal(fans.triangles, [(0, k, k + 1) for k in range(1, 6)])
