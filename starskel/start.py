@@ -78,11 +78,11 @@ def _candidates(source: _Views, target: _Views, most: int) -> tuple[NDArray[np.i
     sharpest = np.argsort(-np.abs(source.turns), kind="stable")[:_SHARPEST]
     unlike = _distances(source.shapes[sharpest], target.shapes)
     unlike += np.abs(source.turns[sharpest, None] - target.turns)
-    offsets = (_OFFSETS * (source.shares[:, None] - target.shares)).round().astype(np.intp) % _OFFSETS
     i, j = np.unravel_index(np.argsort(unlike, axis=None, kind="stable"), unlike.shape)
     i = sharpest[i]
-    by_offset = np.argsort(offsets[i, j], kind="stable")
-    sorted_offsets = offsets[i, j][by_offset]
+    offsets = (_OFFSETS * (source.shares[i] - target.shares[j])).round().astype(np.intp) % _OFFSETS
+    by_offset = np.argsort(offsets, kind="stable")
+    sorted_offsets = offsets[by_offset]
     rank = np.arange(len(i)) - np.searchsorted(sorted_offsets, sorted_offsets)
     chosen = np.sort(by_offset[rank < _STARTS_PER_OFFSET])[:most]
     return i[chosen], j[chosen]
