@@ -43,7 +43,8 @@ def orientation(a: Floats, b: Floats, c: Floats) -> Signs:
     right = (a[..., 1] - c[..., 1]) * (b[..., 0] - c[..., 0])
     determinant = left - right
     signs: Signs = np.asarray(np.sign(determinant), dtype=np.int8)
-    undecided = np.abs(determinant) <= _FILTER * (np.abs(left) + np.abs(right))
+    bound = _FILTER * (np.abs(left) + np.abs(right))
+    undecided = (np.abs(determinant) <= bound) & (bound > 0)  # where both products vanish, so they do exactly
     if undecided.any():
         points = [np.broadcast_to(p, (*undecided.shape, 2))[undecided] for p in (a, b, c)]
         signs = np.array(signs)  # a scalar result is not assignable

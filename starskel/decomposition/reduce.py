@@ -19,28 +19,65 @@ def reduce(tiling: Tiling, n: int, task: Task) -> Tiling:
 
     Points that no piece uses stay behind.
     """
-    while True:
-        pieces = list(tiling.pieces)
-        _collapse_all(tiling, pieces, n, task)
-        _merge_all(tiling, pieces, task)
-        reduced = Tiling(tiling.source, tiling.target, tuple(pieces))
-        if len(pieces) == len(tiling.pieces):
-            return reduced
-        tiling = reduced
+    reduction = _Reduction(tiling, n, task)
+    while reduction.merge() | reduction.collapse():
+        pass
+    return Tiling(tiling.source, tiling.target, tuple(reduction.pieces))
 
 
-def _collapse_all(tiling: Tiling, pieces: list[Piece], n: int, task: Task) -> None:
-    """Collapse every Steiner vertex into a neighbour where that can be done."""
-    for vertex in sorted({v for piece in pieces for v in piece if v >= n}, reverse=True):
-        task.reach(0)
-        around = [piece for piece in pieces if vertex in piece]
-        neighbours = sorted({v for piece in around for v in _neighbours(piece, vertex)})
-        for neighbour in neighbours:
+class _Reduction:
+    """Pieces in change; what was found out about a ring of vertices is remembered."""
+
+    def __init__(self, tiling: Tiling, n: int, task: Task) -> None:
+        self.pieces = list(tiling.pieces)
+        self._tiling = tiling
+        self._n = n
+        self._task = task
+        self._known: dict[Piece, bool] = {}
+
+    def merge(self) -> bool:
+        """Merge neighbours while the union is a star piece, across the longest edges first."""
+        merged = False
+        for first, second in _neighbouring(self._tiling, self.pieces):
+            self._task.reach(0)
+            if first not in self.pieces or second not in self.pieces:
+                continue
+            whole = union(first, second)
+            if whole is not None and self._holds(whole):
+                self.pieces.remove(first)
+                self.pieces[self.pieces.index(second)] = whole
+                merged = True
+        return merged
+
+    def collapse(self) -> bool:
+        """Collapse every Steiner vertex into a neighbour where that can be done."""
+        vertices = sorted({v for piece in self.pieces for v in piece if v >= self._n}, reverse=True)
+        return any([self._collapse(vertex) for vertex in vertices])
+
+    def _collapse(self, vertex: int) -> bool:
+        self._task.reach(0)
+        around = [piece for piece in self.pieces if vertex in piece]
+        for neighbour in sorted({v for piece in around for v in _neighbours(piece, vertex)}):
             shrunk = [_renamed(piece, vertex, neighbour) for piece in around]
-            if all(piece is not None and (not piece or _holds(tiling, piece)) for piece in shrunk):
-                pieces[:] = [piece for piece in pieces if vertex not in piece]
-                pieces += [piece for piece in shrunk if piece]
-                break
+            if None not in shrunk and all(self._holds(piece) for piece in shrunk if piece):
+                self.pieces = [piece for piece in self.pieces if vertex not in piece]
+                self.pieces += [piece for piece in shrunk if piece]
+                return True
+        return False
+
+    def _holds(self, piece: Piece) -> bool:
+        """Tell whether a ring of vertices is a star piece in both polygons."""
+        start = piece.index(min(piece))
+        name = piece[start:] + piece[:start]
+        if name not in self._known:
+            self._known[name] = _is_ring(self._tiling, name) and self._tiling.is_star(name)
+        return self._known[name]
+
+
+def _is_ring(tiling: Tiling, piece: Piece) -> bool:
+    """Tell whether a ring of vertices is simple and counter-clockwise in both polygons."""
+    rings = [side.coordinates[list(piece)] for side in (tiling.source, tiling.target)]
+    return all(signed_area(ring) > 0 and not len(crossing_edges(ring)) for ring in rings)
 
 
 def _neighbours(piece: Piece, vertex: int) -> tuple[int, int]:
@@ -55,33 +92,6 @@ def _renamed(piece: Piece, vertex: int, name: int) -> Piece | None:
     if len(set(kept)) < len(kept):
         return None
     return kept if len(kept) > 2 else ()
-
-
-def _holds(tiling: Tiling, piece: Piece) -> bool:
-    """Tell whether a ring of vertices is a star piece in both polygons."""
-    rings = [side.coordinates[list(piece)] for side in (tiling.source, tiling.target)]
-    if any(signed_area(ring) <= 0 for ring in rings) or any(len(crossing_edges(ring)) for ring in rings):
-        return False
-    return tiling.is_star(piece)
-
-
-def _merge_all(tiling: Tiling, pieces: list[Piece], task: Task) -> None:
-    """Merge neighbours while the union is a star piece, across the longest edges first."""
-    refused: set[tuple[Piece, Piece]] = set()
-    merged = True
-    while merged:
-        merged = False
-        for pair in _neighbouring(tiling, pieces):
-            task.reach(0)
-            if pair in refused or not (pair[0] in pieces and pair[1] in pieces):
-                continue
-            whole = union(*pair)
-            if whole is not None and tiling.is_star(whole):
-                pieces.remove(pair[0])
-                pieces[pieces.index(pair[1])] = whole
-                merged = True
-            else:
-                refused.add(pair)
 
 
 def _neighbouring(tiling: Tiling, pieces: list[Piece]) -> list[tuple[Piece, Piece]]:
