@@ -15,10 +15,14 @@ from app.tools.draw import DrawTool
 from app.tools.mark import MarkTool
 from app.tools.select import SelectTool
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
+from starskel import METHODS
 from starskel.files.project import Project, read_project, write_project
 from starskel.polygon import Polygon
 
 TOOLS: dict[str, type[Tool]] = {tool.name: tool for tool in (SelectTool, DrawTool, MarkTool)}
+
+USUAL_METHODS = METHODS[::-1]
+"""What is compared until the user chooses: every method, the most refined first."""
 
 Shapes = tuple[Polygon | None, Polygon | None, Marks]
 
@@ -44,15 +48,16 @@ class Session(QObject):
     """The canvases look different."""
     document_changed = Signal()
     """The document, its file or its unsaved state is another."""
+    opened = Signal()
+    """Another document is edited from now on."""
     tool_changed = Signal()
     results_changed = Signal()
     progressed = Signal(str, float)
     busy_changed = Signal(bool)
 
-    def __init__(self, methods: tuple[str, ...], parent: QObject | None = None) -> None:
+    def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._methods = methods
-        self._history = History.of(Document(methods=methods))
+        self._history = History.of(Document(methods=USUAL_METHODS))
         self._saved = self.document
         self._computed: Shapes = (None, None, ())
         self._computer = Computer(self)
@@ -166,7 +171,7 @@ class Session(QObject):
     # files
 
     def new(self) -> None:
-        self._start(Document(methods=self._methods), None)
+        self._start(Document(methods=USUAL_METHODS), None)
 
     def open(self, path: Path) -> None:
         """Open a project file.
@@ -186,7 +191,7 @@ class Session(QObject):
         InvalidMarks
             If its marks cross.
         """
-        self._start(_document_of(project, self._methods), path)
+        self._start(_document_of(project), path)
 
     def save(self, path: Path) -> None:
         """Write the project file, whole or not at all.
@@ -239,6 +244,7 @@ class Session(QObject):
         self.tool = SelectTool() if document.source or document.target else DrawTool()
         self.results = {}
         self.tool_changed.emit()
+        self.opened.emit()
         self._refresh()
 
     def _refresh(self) -> None:
@@ -258,12 +264,17 @@ class Session(QObject):
         if document.source is None or document.target is None:
             self._computer.cancel()
             self.results = {method: MethodState() for method in document.methods}
-        elif wanted := tuple(m for m, shown in self.results.items() if shown.stale or not same):
+        elif wanted := self._wanted(same):
             for method in wanted:
                 self.results[method] = self.results[method].outdated()
             self._computer.request(Request(document.source, document.target, document.marks, wanted))
         self._computed = shapes
         self.results_changed.emit()
+
+    def _wanted(self, same: bool) -> tuple[str, ...]:
+        """Give the methods to compute, the simplest first, so that there is something to see at once."""
+        shown = self.results
+        return tuple(m for m in METHODS if m in shown and (shown[m].stale or not same))
 
     @Slot(object)
     def _take(self, outcome: Result | Failure) -> None:
@@ -272,9 +283,9 @@ class Session(QObject):
             self.results_changed.emit()
 
 
-def _document_of(project: Project, methods: tuple[str, ...]) -> Document:
+def _document_of(project: Project) -> Document:
     """Give a project as a document; unknown methods in it are left out, none at all means the usual ones."""
-    known = tuple(method for method in project.methods if method in methods) or methods
+    known = tuple(method for method in project.methods if method in METHODS) or USUAL_METHODS
     document = (
         Document(project.name, methods=known).draw("source", project.source).draw("target", project.target)
     )

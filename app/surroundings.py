@@ -19,13 +19,14 @@ def what_is_missing(environment: Mapping[str, str] = os.environ) -> str:
     """Say what is missing and how to mend it; "" where nothing is."""
     if not sys.platform.startswith("linux"):
         return ""
-    own = environment.get("QT_QPA_PLATFORM")
+    asked_for = environment.get("QT_QPA_PLATFORM", "")
+    screenless = asked_for != "" and not asked_for.startswith(("xcb", "wayland"))
     wayland = "WAYLAND_DISPLAY" in environment
-    libraries = LIBRARIES if own or wayland else LIBRARIES + X_LIBRARIES
+    libraries = LIBRARIES if screenless or wayland else LIBRARIES + X_LIBRARIES
     absent = [name for name in libraries if not _loads(name)]
     if absent:
         return f"Qt needs system libraries that are not there: {', '.join(absent)}; install their packages"
-    if own or (wayland and _wayland_answers(environment)) or _x_answers(environment):
+    if screenless or (wayland and _wayland_answers(environment)) or _x_answers(environment):
         return ""
     return NO_DISPLAY
 

@@ -7,6 +7,7 @@ from PySide6.QtGui import (
     QMouseEvent,
     QPainter,
     QPaintEvent,
+    QPalette,
     QResizeEvent,
     QWheelEvent,
 )
@@ -58,16 +59,17 @@ class Canvas(QWidget):
         self.setMinimumSize(160, 120)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         session.changed.connect(self.update)
-        session.document_changed.connect(self._follow)
+        session.opened.connect(self.fit)
         session.tool_changed.connect(self._show_cursor)
         self._show_cursor()
 
     # what is shown
 
+    @Slot()
     def fit(self) -> None:
-        """Show the whole shape, and go on doing so until the user zooms or pans."""
+        """Show the whole shape; keep it fitted when the window changes, until the user zooms or pans."""
         self._fits = True
-        self._follow()
+        self._aim()
 
     def zoom(self, factor: float) -> None:
         """Zoom at the middle of the view."""
@@ -77,18 +79,20 @@ class Canvas(QWidget):
         painter = QPainter(self)
         try:
             CanvasPainter(painter, self.palette(), self.camera, self._session, self.side).paint()
+            if self.hasFocus():
+                painter.setPen(self.palette().color(QPalette.ColorRole.Highlight))
+                painter.setBrush(Qt.BrushStyle.NoBrush)
+                painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
         finally:
             painter.end()  # a painter left open after an exception crashes the program later
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         self.camera = self.camera.resized(self.width(), self.height())
-        self._follow()
-
-    @Slot()
-    def _follow(self) -> None:
-        """Keep the shape fitted, but not while it is drawn or when the user chose a view."""
         if self._fits and not self._session.tool.busy:
-            self.camera = self.camera.fitting(self._session.document.vertices(self.side), MARGIN)
+            self._aim()
+
+    def _aim(self) -> None:
+        self.camera = self.camera.fitting(self._session.document.vertices(self.side), MARGIN)
         self.update()
 
     def _look(self, camera: Camera) -> None:

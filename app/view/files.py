@@ -54,7 +54,10 @@ class Files(QObject):
 
     @Slot()
     def new(self) -> None:
+        """Start with empty canvases, at t = 0."""
         if self.may_go():
+            self._player.pause()
+            self._player.seek(0.0)
             self._session.new()
 
     @Slot()

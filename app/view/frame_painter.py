@@ -49,7 +49,8 @@ class FramePainter:
 
     def _outline(self, frame: np.ndarray, t: float, crosses: bool) -> None:
         self._painter.setBrush(Qt.BrushStyle.NoBrush)
-        self._painter.setPen(pen(self._theme.refused if crosses else self._theme.between(t), 1.5))
+        colour = self._theme.refused if crosses else self._theme.between(t)
+        self._painter.setPen(pen(colour, 1.0))  # wider, smooth lines take ten times as long, at every frame
         self._painter.drawPolygon(polygon_of(self._camera.to_screen(frame)))
 
     def _paint_pieces(self, blend: PieceBlend, t: float) -> None:

@@ -2,27 +2,25 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, QSize, Qt, Slot
+from PySide6.QtCore import QEvent, Qt, Slot
 from PySide6.QtGui import QAction, QCloseEvent
-from PySide6.QtWidgets import QApplication, QMainWindow, QMenu, QSplitter, QToolBar, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QMainWindow, QSplitter, QVBoxLayout, QWidget
 
-from app.model.marks import SIDES, Side
+from app.model.marks import SIDES, Side, other
 from app.session import Session
 from app.tools.tool import Key
 from app.view import words
-from app.view.actions import Actions, say
+from app.view.actions import Actions
 from app.view.canvas import NOTCH, Canvas
-from app.view.commands import MENUS, TOOLBAR
 from app.view.display import Display
 from app.view.files import Files
 from app.view.icons import icon
+from app.view.menus import examples_menu, fill_menu_bar, methods_menu, tool_bar
 from app.view.panels import Panels
 from app.view.player import Player
 from app.view.status import Status
 from app.view.theme import DARK, LIGHT, Theme, apply_theme, theme_of
 from app.view.timeline import Timeline
-from starskel import METHODS
-from starskel.files.examples import example, example_names
 
 
 class MainWindow(QMainWindow):
@@ -38,17 +36,21 @@ class MainWindow(QMainWindow):
         self.canvases: dict[Side, Canvas] = {side: Canvas(session, side) for side in SIDES}
         self.panels = Panels(session, self.player, self.display)
         self.timeline = Timeline(session, self.player, self.actions_table)
-        self._menus: dict[str, QMenu] = {}
-        self._fill_menus()
-        self._fill_toolbar()
+        self._examples = examples_menu(self)
+        self._methods = methods_menu(self)
+        submenus = {"examples": self._examples, "methods": self._methods}
+        fill_menu_bar(self.menuBar(), self.actions_table, submenus)
+        self.addToolBar(tool_bar(self.actions_table))
         self.setCentralWidget(self._body())
         self.setStatusBar(Status(session, self.actions_table))
         self.resize(1280, 860)
+        self._examples.triggered.connect(self._open_example)
+        self._methods.triggered.connect(self._compare)
         session.document_changed.connect(self._follow)
         session.changed.connect(self._follow_selection)
         session.tool_changed.connect(self._follow_tool)
         session.results_changed.connect(self._follow_results)
-        self.player.state_changed.connect(self._follow_player)
+        self.player.playing_changed.connect(self._follow_player)
         for follow in (self._follow, self._follow_tool, self._follow_results, self._dress):
             follow()
 
@@ -70,49 +72,6 @@ class MainWindow(QMainWindow):
         layout.addWidget(parts, 1)
         layout.addWidget(self.timeline)
         return body
-
-    def _fill_menus(self) -> None:
-        submenus = {"examples": self._examples_menu, "methods": self._methods_menu}
-        for title, names in MENUS:
-            menu = self.menuBar().addMenu(say(title))
-            for name in names:
-                if not name:
-                    menu.addSeparator()
-                elif name in submenus:
-                    menu.addMenu(submenus[name]())
-                else:
-                    menu.addAction(self.actions_table[name])
-
-    def _examples_menu(self) -> QMenu:
-        menu = QMenu(self.tr("E&xamples"), self)
-        for name in example_names():
-            action = menu.addAction(example(name).name)
-            action.setData(name)
-        menu.triggered.connect(self._open_example)
-        return menu
-
-    def _methods_menu(self) -> QMenu:
-        menu = QMenu(self.tr("&Methods Shown"), self)
-        for method in METHODS[::-1]:
-            action = menu.addAction(words.method(method))
-            action.setCheckable(True)
-            action.setData(method)
-        menu.triggered.connect(self._compare)
-        self._menus["methods"] = menu
-        return menu
-
-    def _fill_toolbar(self) -> None:
-        bar = QToolBar(self.tr("Tools"))
-        bar.setObjectName("toolbar")
-        bar.setMovable(False)
-        bar.setIconSize(QSize(20, 20))
-        bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        for name in TOOLBAR:
-            if name:
-                bar.addAction(self.actions_table[name])
-            else:
-                bar.addSeparator()
-        self.addToolBar(bar)
 
     # commands
 
@@ -152,10 +111,14 @@ class MainWindow(QMainWindow):
 
     @Slot()
     def _select_all(self) -> None:
-        self.session.select_all(self.session.selection.side)
+        """Select the shape that was worked on last, or the only one there is."""
+        side = self.session.selection.side
+        self.session.select_all(side if self.session.document.polygon(side) is not None else other(side))
 
     @Slot()
     def _delete(self) -> None:
+        if not self.session.tool.busy:
+            self.session.choose_tool("select")  # what is selected can be deleted whatever the tool in hand
         self.session.key(Key("delete"))
 
     @Slot()
@@ -190,7 +153,7 @@ class MainWindow(QMainWindow):
 
     @Slot(QAction)
     def _compare(self, action: QAction) -> None:
-        chosen = [each.data() for each in self._menus["methods"].actions() if each.isChecked()]
+        chosen = [each.data() for each in self._methods.actions() if each.isChecked()]
         self.session.compare(tuple(chosen or [action.data()]))
 
     # what the window shows of the session's state
@@ -210,7 +173,7 @@ class MainWindow(QMainWindow):
         if session.tool.busy:  # then undo takes back a part of the gesture
             actions["undo"].setEnabled(True)
             actions["redo"].setEnabled(False)
-        for action in self._menus["methods"].actions():
+        for action in self._methods.actions():
             action.setChecked(action.data() in session.document.methods)
 
     @Slot()

@@ -14,7 +14,7 @@ class Player(QObject):
     """Holds the playback state and reports every new t."""
 
     t_changed = Signal(float)
-    state_changed = Signal()
+    playing_changed = Signal(bool)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -79,12 +79,13 @@ class Player(QObject):
         self._become(self._playback.at_speed(speed, monotonic()))
 
     def _become(self, playback: Playback) -> None:
-        self._playback = playback
-        if playback.playing:
+        former, self._playback = self._playback, playback
+        if playback.playing and not former.playing:
             self._timer.start()
-        else:
+        elif former.playing and not playback.playing:
             self._timer.stop()
-        self.state_changed.emit()
+        if playback.playing != former.playing:
+            self.playing_changed.emit(playback.playing)
         self.t_changed.emit(self.t)
 
     @Slot()

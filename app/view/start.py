@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 from app.session import Session
 from app.view.main_window import MainWindow
 from app.view.theme import DARK, LIGHT, apply_theme
-from starskel import METHODS
 from starskel.files.examples import example
 
 FIRST_EXAMPLE = "arm"
@@ -55,7 +54,7 @@ def run(path: Path | None) -> int:
     application.setApplicationName("starskel")
     scheme = application.styleHints().colorScheme()
     apply_theme(application, DARK if scheme == Qt.ColorScheme.Dark else LIGHT)
-    window = MainWindow(Session(METHODS[::-1]))
+    window = MainWindow(Session())
     sys.excepthook = Faults(window).take
     window.show()
     if path is not None:

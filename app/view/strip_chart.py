@@ -1,8 +1,8 @@
 """Strip chart: how far each method's area strays over t, and where its frames cross themselves."""
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Slot
-from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Slot
+from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.session import Session
@@ -42,6 +42,7 @@ class StripChart(QWidget):
         super().__init__(parent)
         self._session = session
         self._player = player
+        self._curves_image: QPixmap | None = None
         self.inset = 8.0
         self.setObjectName("strip-chart")
         self.setAccessibleName(self.tr("Area and crossings over time"))
@@ -66,8 +67,16 @@ class StripChart(QWidget):
 
     @Slot()
     def _follow(self) -> None:
+        self._curves_image = None
         self.updateGeometry()
         self.update()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._curves_image = None
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        self._curves_image = None
 
     def _curves(self) -> list[tuple[int, Report, bool]]:
         results = self._session.results
@@ -93,11 +102,28 @@ class StripChart(QWidget):
     # painting
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the curves from an image that is made once a result, and the cursor over it."""
+        if self._curves_image is None:
+            self._curves_image = self._paint_curves()
         painter = QPainter(self)
+        painter.drawPixmap(0, 0, self._curves_image)
+        x = self.inset + self._player.t * (self.width() - 2 * self.inset)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(pen(theme_of(self.palette()).text, 1.5))
+        painter.drawLine(QPointF(x, 0), QPointF(x, self.height()))
+        painter.end()
+
+    def _paint_curves(self) -> QPixmap:
+        ratio = self.devicePixelRatioF()
+        image = QPixmap(self.size() * ratio)
+        image.setDevicePixelRatio(ratio)
+        image.fill(Qt.GlobalColor.transparent)
+        painter = QPainter(image)
         try:
             self._paint(painter, theme_of(self.palette()))
         finally:
             painter.end()  # a painter left open after an exception crashes the program later
+        return image
 
     def _paint(self, painter: QPainter, theme: Theme) -> None:
         lanes = LANE * len(self._session.document.methods)
@@ -109,10 +135,6 @@ class StripChart(QWidget):
             painter.setOpacity(0.35 if stale else 1.0)
             self._paint_curve(painter, theme, plot, number, report)
             self._paint_lane(painter, theme, plot, number, report)
-        painter.setOpacity(1.0)
-        x = plot.left() + self._player.t * plot.width()
-        painter.setPen(pen(theme.text, 1.5))
-        painter.drawLine(QPointF(x, 0), QPointF(x, self.height()))
 
     def _paint_scale(self, painter: QPainter, theme: Theme, plot: QRectF) -> None:
         painter.setPen(pen(theme.edge, 1.0))

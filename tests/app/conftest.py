@@ -1,22 +1,20 @@
 """Qt without a screen, a window to drive with real events, and a check that nothing is left alive."""
 
-import gc
 import os
 from collections.abc import Iterator
 
 os.environ["QT_QPA_PLATFORM"] = "offscreen"  # before Qt is loaded, whatever the surroundings say
 
 import pytest
-import shiboken6
-from PySide6.QtCore import QCoreApplication, QEvent, QThread
+from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from app.session import Session
 from app.view.main_window import MainWindow
 from app.view.theme import LIGHT, apply_theme
-from starskel import METHODS
 from tests.app.driver import Driver
+from tests.app.leftovers import left_alive
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -26,20 +24,10 @@ def pytest_configure(config: pytest.Config) -> None:
 
 @pytest.fixture(autouse=True)
 def nothing_left_alive(request: pytest.FixtureRequest) -> Iterator[None]:
-    """Fail a test that leaves a widget or a running thread behind."""
+    """Fail a test that leaves a window or a running thread behind."""
     yield
-    if QApplication.instance() is None:
-        return
-    gc.collect()
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    widgets = [repr(widget) for widget in QApplication.topLevelWidgets()]
-    threads = [
-        thread
-        for thread in shiboken6.getAllValidWrappers()
-        if isinstance(thread, QThread) and thread.isRunning() and thread != QThread.currentThread()
-    ]
-    assert not widgets, f"{request.node.name} leaves widgets: {widgets}"
-    assert not threads, f"{request.node.name} leaves {len(threads)} threads running"
+    left = left_alive()
+    assert not left, f"{request.node.name} leaves {left}"
 
 
 @pytest.fixture
@@ -47,7 +35,7 @@ def window(qtbot: QtBot) -> Iterator[MainWindow]:
     application = QApplication.instance()
     assert isinstance(application, QApplication)
     apply_theme(application, LIGHT)
-    window = MainWindow(Session(METHODS[::-1]))
+    window = MainWindow(Session())
     window.show()
     qtbot.waitExposed(window)
     window.session.new()

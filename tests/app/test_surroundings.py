@@ -13,8 +13,9 @@ def test_a_display_that_does_not_answer_counts_as_none() -> None:
     assert what_is_missing({"WAYLAND_DISPLAY": "wayland-987"}) == NO_DISPLAY
 
 
-def test_a_platform_that_was_asked_for_is_left_alone() -> None:
+def test_a_platform_that_needs_no_display_is_left_alone() -> None:
     assert what_is_missing({"QT_QPA_PLATFORM": "offscreen"}) == ""
+    assert what_is_missing({"QT_QPA_PLATFORM": "xcb"}) == NO_DISPLAY
 
 
 def test_the_command_ends_with_status_2_and_a_message() -> None:

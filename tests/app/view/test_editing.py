@@ -143,5 +143,6 @@ def test_fit_shows_the_whole_shape(square: Driver) -> None:
 
 def test_editing_does_not_move_the_view(square: Driver) -> None:
     camera = square.window.canvases["source"].camera
-    square.drag("source", (90, 90), (60, 60))
+    square.drag("source", (90, 90), (120, 130))
+    assert square.corners("source")[2] == [120, 130]
     assert square.window.canvases["source"].camera == camera

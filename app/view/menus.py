@@ -1,0 +1,60 @@
+"""Menus and toolbar, filled from the table of commands."""
+
+from collections.abc import Mapping
+
+from PySide6.QtCore import QCoreApplication, QSize, Qt
+from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QWidget
+
+from app.view import words
+from app.view.actions import Actions, say
+from app.view.commands import MENUS, TOOLBAR
+from starskel import METHODS
+from starskel.files.examples import example, example_names
+
+translate = QCoreApplication.translate
+
+
+def fill_menu_bar(bar: QMenuBar, actions: Actions, submenus: Mapping[str, QMenu]) -> None:
+    """Add all menus; names in the table that are no commands stand for submenus."""
+    for title, names in MENUS:
+        menu = bar.addMenu(say(title))
+        for name in names:
+            if not name:
+                menu.addSeparator()
+            elif name in submenus:
+                menu.addMenu(submenus[name])
+            else:
+                menu.addAction(actions[name])
+
+
+def tool_bar(actions: Actions) -> QToolBar:
+    """Give the toolbar."""
+    bar = QToolBar(translate("Menus", "Tools"))
+    bar.setObjectName("toolbar")
+    bar.setMovable(False)
+    bar.setIconSize(QSize(20, 20))
+    bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+    for name in TOOLBAR:
+        if name:
+            bar.addAction(actions[name])
+        else:
+            bar.addSeparator()
+    return bar
+
+
+def examples_menu(parent: QWidget) -> QMenu:
+    """Give a menu of the examples; each action's data is the example's name."""
+    menu = QMenu(translate("Menus", "E&xamples"), parent)
+    for name in example_names():
+        menu.addAction(example(name).name).setData(name)
+    return menu
+
+
+def methods_menu(parent: QWidget) -> QMenu:
+    """Give a menu of switches for the methods; each action's data is the method's name."""
+    menu = QMenu(translate("Menus", "&Methods Shown"), parent)
+    for method in METHODS[::-1]:
+        action = menu.addAction(words.method(method))
+        action.setCheckable(True)
+        action.setData(method)
+    return menu

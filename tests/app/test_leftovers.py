@@ -1,0 +1,21 @@
+from PySide6.QtCore import QThread
+from PySide6.QtWidgets import QWidget
+
+from tests.app.leftovers import left_alive
+
+
+def test_a_window_left_open_is_named(qapp) -> None:  # type: ignore[no-untyped-def]
+    widget = QWidget()
+    widget.show()
+    assert len(left_alive()) == 1
+    widget.deleteLater()
+    assert left_alive() == []
+
+
+def test_a_running_thread_is_named(qapp) -> None:  # type: ignore[no-untyped-def]
+    thread = QThread()
+    thread.start()
+    assert len(left_alive()) == 1
+    thread.quit()
+    thread.wait()
+    assert left_alive() == []
