@@ -48,7 +48,7 @@ def related(n: int, seed: int, spread: float = 0.5) -> tuple[Floats, Floats]:
         stretched = lengths * np.exp(rng.normal(0, scale, n))
         steps = stretched[:, None] * np.stack([np.cos(bent), np.sin(bent)], axis=1)
         steps -= steps.mean(axis=0)
-        target = np.cumsum(steps, axis=0)
+        target = np.roll(np.cumsum(steps, axis=0), 1, axis=0)
         try:
             polygon = Polygon(target)
         except InvalidPolygon:

@@ -67,11 +67,9 @@ class _Reduction:
 
     def _holds(self, piece: Piece) -> bool:
         """Tell whether a ring of vertices is a star piece in both polygons."""
-        start = piece.index(min(piece))
-        name = piece[start:] + piece[:start]
-        if name not in self._known:
-            self._known[name] = _is_ring(self._tiling, name) and self._tiling.is_star(name)
-        return self._known[name]
+        if piece not in self._known:
+            self._known[piece] = _is_ring(self._tiling, piece) and self._tiling.is_star(piece)
+        return self._known[piece]
 
 
 def _is_ring(tiling: Tiling, piece: Piece) -> bool:
@@ -91,7 +89,7 @@ def _renamed(piece: Piece, vertex: int, name: int) -> Piece | None:
     kept = tuple(v for before, v in pairwise([renamed[-1], *renamed]) if v != before)
     if len(set(kept)) < len(kept):
         return None
-    return kept if len(kept) > 2 else ()
+    return _from_least(kept) if len(kept) > 2 else ()
 
 
 def _neighbouring(tiling: Tiling, pieces: list[Piece]) -> list[tuple[Piece, Piece]]:
@@ -116,7 +114,13 @@ def union(first: Piece, second: Piece) -> Piece | None:
     ring = [outer[0][0]]
     while (following := onward[ring[-1]]) != ring[0]:
         ring.append(following)
-    return tuple(ring) if len(ring) == len(outer) else None
+    return _from_least(tuple(ring)) if len(ring) == len(outer) else None
+
+
+def _from_least(piece: Piece) -> Piece:
+    """Give the ring from its least vertex on, so that one ring has one name."""
+    start = piece.index(min(piece))
+    return piece[start:] + piece[:start]
 
 
 def _edges(piece: Piece) -> list[tuple[int, int]]:
