@@ -7,8 +7,8 @@ import numpy as np
 
 from app.model import marks as pins
 from app.model.marks import Marks, Side
+from starskel.correspondence.marks import Mark, checked_marks
 from starskel.errors import InvalidMarks, InvalidPolygon
-from starskel.marks import Mark, checked_marks
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
 

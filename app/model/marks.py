@@ -3,7 +3,7 @@
 from collections.abc import Collection
 from typing import Literal
 
-from starskel.marks import Mark
+from starskel.correspondence.marks import Mark
 
 Side = Literal["source", "target"]
 Marks = tuple[Mark, ...]

@@ -4,8 +4,8 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
 from app.model.document import Document
 from app.model.marks import Side
+from starskel.correspondence.marks import Mark
 from starskel.errors import InvalidMarks, InvalidPolygon
-from starskel.marks import Mark
 
 translate = QCoreApplication.translate
 

@@ -9,7 +9,7 @@ from starskel.decomposition.pieces import Decomposition
 from starskel.polar import Complex, as_complex, as_points
 from starskel.predicates import Floats
 from starskel.skeleton import skeleton_of
-from starskel.spokes import spokes_of
+from starskel.skeleton.spokes import spokes_of
 
 
 class StarSkeletonBlend(PieceBlend):

@@ -52,7 +52,7 @@ class _Reduction:
     def collapse(self) -> bool:
         """Collapse every Steiner vertex into a neighbour where that can be done."""
         vertices = sorted({v for piece in self.pieces for v in piece if v >= self._n}, reverse=True)
-        return any([self._collapse(vertex) for vertex in vertices])
+        return True in [self._collapse(vertex) for vertex in vertices]
 
     def _collapse(self, vertex: int) -> bool:
         self._task.reach(0)

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import msgspec
 
+from starskel.correspondence.marks import Mark
 from starskel.errors import InvalidFile
 from starskel.files.documents import check_format, read_document, write_document
 from starskel.files.shapes import Row, marked_shapes, polygon_of, rows_of
-from starskel.marks import Mark
 from starskel.polygon import Polygon
 
 FORMAT = "polygon-pairs/1"

@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 
+from starskel.correspondence.marks import Mark, checked_marks
 from starskel.errors import InvalidFile, InvalidMarks, InvalidPolygon
-from starskel.marks import Mark, checked_marks
 from starskel.polygon import Polygon
 
 Row = tuple[float, float]

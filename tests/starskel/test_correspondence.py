@@ -6,10 +6,10 @@ import shapely
 from hypothesis import given
 from hypothesis import strategies as st
 
-from starskel.alignment import ALONE_PRICE, TURN_PRICE, Chains, align, alignment_prices
 from starskel.correspondence import match
+from starskel.correspondence.alignment import ALONE_PRICE, TURN_PRICE, Chains, align, alignment_prices
+from starskel.correspondence.insertion import inserted, merged
 from starskel.errors import Cancelled, InvalidMarks, InvalidPolygon
-from starskel.insertion import inserted, merged
 from starskel.outline import edge_lengths
 from starskel.polygon import Polygon, crossing_edges
 from starskel.task import Task
@@ -207,8 +207,8 @@ def test_the_alignment_is_the_cheapest_of_all():
 @pytest.mark.parametrize("seed", range(20))
 def test_the_vertices_of_a_bent_and_stretched_relative_find_their_partners(seed):
     source, target = related(18, seed)
-    pair = match(source, target, [(1, 0)])  # its first edge became the relative's last
-    np.testing.assert_array_equal(pair.source_vertices, (pair.target_vertices + 1) % 18)
+    pair = match(source, target, [(0, 0)])
+    np.testing.assert_array_equal(pair.source_vertices, pair.target_vertices)
 
 
 def test_two_thousand_vertices_without_marks():

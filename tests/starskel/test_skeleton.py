@@ -6,7 +6,7 @@ from starskel.decomposition import decompose
 from starskel.errors import StarskelError
 from starskel.polar import PolarVectors, as_complex
 from starskel.skeleton import skeleton_of
-from starskel.spokes import spokes_of
+from starskel.skeleton.spokes import spokes_of
 from tests.families import spiral, turned, two_opt
 
 

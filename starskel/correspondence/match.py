@@ -1,48 +1,24 @@
 """From a few marks to a complete correspondence: align vertices, give new partners to those left alone."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import TypeAlias, TypeVar
 
 import numpy as np
 import shapely
 from numpy.typing import ArrayLike, NDArray
 
-from starskel.alignment import Chains, align
-from starskel.insertion import inserted, merged
-from starskel.marks import Mark, as_marks, checked_marks
+from starskel.correspondence.alignment import Chains, align
+from starskel.correspondence.insertion import inserted, merged
+from starskel.correspondence.marks import Mark, as_marks, checked_marks
+from starskel.correspondence.pair import Correspondence
+from starskel.correspondence.start import best_start
 from starskel.outline import precedes
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
-from starskel.start import best_start
 from starskel.task import ShouldStop, Task
 
 Number = TypeVar("Number", np.float64, np.intp)
 PolygonLike: TypeAlias = Polygon | shapely.Polygon | ArrayLike
-
-
-@dataclass(frozen=True, eq=False)
-class Correspondence:
-    """Two polygons with equally many vertices, row i of the one corresponding to row i of the other.
-
-    Attributes
-    ----------
-    source, target : (n, 2) arrays
-        The rings, counter-clockwise, with the inserted vertices; row 0 of the source is its vertex 0.
-    marks : tuple of (int, int)
-        The marks as given: a vertex of the source polygon, a vertex of the target polygon.
-    source_vertices, target_vertices : (n,) arrays of int
-        For each row the vertex of the polygon, or -1 where the row was inserted.
-    """
-
-    source: Floats
-    target: Floats
-    marks: tuple[tuple[int, int], ...]
-    source_vertices: NDArray[np.intp]
-    target_vertices: NDArray[np.intp]
-
-    def __len__(self) -> int:
-        return len(self.source)
 
 
 def match(

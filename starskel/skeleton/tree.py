@@ -1,4 +1,4 @@
-"""The skeleton: a tree that links the star origins through the mid-points of shared edges."""
+"""The tree over the pieces, and its points."""
 
 from collections import deque
 from dataclasses import dataclass

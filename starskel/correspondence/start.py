@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from starskel.alignment import TURN_PRICE, Chains, alignment_prices
+from starskel.correspondence.alignment import TURN_PRICE, Chains, alignment_prices
 from starskel.outline import edge_lengths, edge_vectors, turning_angles
 from starskel.predicates import Floats
 from starskel.task import Task
