@@ -12,7 +12,7 @@ from app.view import words
 from app.view.camera import Camera
 from app.view.canvas_notes import paint_caption, paint_invitation, paint_notice
 from app.view.drawing import faded, pen, point_of, polygon_of
-from app.view.pins import cross_at, outward, paint_label, paint_pin
+from app.view.pins import Pin, cross_at, outward, paint_pins
 from app.view.theme import theme_of
 from starskel.predicates import Floats
 
@@ -93,16 +93,15 @@ class CanvasPainter:
             self._painter.drawLine(place - QPointF(0, 4), place + QPointF(0, 4))
 
     def _paint_pins(self) -> None:
-        moved = self._overlay.pin
-        for index, mark in enumerate(self._session.document.marks):
-            if moved is None or moved[1] != index:
-                self._paint_pin(end(mark, self._side), index)
-        if moved is not None:
-            self._paint_pin(*moved)
+        ends = {index: end(mark, self._side) for index, mark in enumerate(self._session.document.marks)}
+        if self._overlay.pin is not None:
+            vertex, index = self._overlay.pin
+            ends[index] = vertex
+        paint_pins(self._painter, [self._pin(vertex, index) for index, vertex in ends.items()])
 
-    def _paint_pin(self, vertex: int, index: int) -> None:
-        pins = self._theme.pins
-        paint_pin(self._painter, self._screen[vertex], self._away(vertex), index, pins[index % len(pins)])
+    def _pin(self, vertex: int, index: int) -> Pin:
+        colour = self._theme.pins[index % len(self._theme.pins)]
+        return Pin(self._screen[vertex], self._away(vertex), words.mark(index), colour)
 
     def _away(self, vertex: int) -> Floats:
         """Give the direction out of the shape on the screen, where y runs down."""
@@ -178,7 +177,7 @@ class CanvasPainter:
         self._painter.drawEllipse(point_of(place), 11.0, 11.0)
         begun = self._overlay.pin is not None and self._overlay.pin[0] == vertex
         if not begun and mark_at(self._session.document.marks, self._side, vertex) is None:
-            paint_label(self._painter, place, self._away(vertex), "✕", self._theme.refused)
+            paint_pins(self._painter, [Pin(place, self._away(vertex), "✕", self._theme.refused)])
 
     # words
 

@@ -46,10 +46,8 @@ def lines_of(starts: Floats, ends: Floats) -> list[QLineF]:
 
 
 def pen(colour: QColor | str, width: float = 1.0, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
-    """Give a round pen that keeps its width at any zoom."""
-    made = QPen(QColor(colour), width, style, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin)
-    made.setCosmetic(True)
-    return made
+    """Give a round pen."""
+    return QPen(QColor(colour), width, style, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin)
 
 
 def faded(colour: QColor | str, alpha: float) -> QColor:

@@ -50,7 +50,10 @@ class FramePainter:
     def _outline(self, frame: np.ndarray, t: float, crosses: bool) -> None:
         self._painter.setBrush(Qt.BrushStyle.NoBrush)
         colour = self._theme.refused if crosses else self._theme.between(t)
-        self._painter.setPen(pen(colour, 1.0))  # wider, smooth lines take ten times as long, at every frame
+        hairline = pen(
+            colour, 0.0
+        )  # one pixel wide; wider, a smooth line takes ten times as long, each frame
+        self._painter.setPen(hairline)
         self._painter.drawPolygon(polygon_of(self._camera.to_screen(frame)))
 
     def _paint_pieces(self, blend: PieceBlend, t: float) -> None:

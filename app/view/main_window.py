@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, Qt, Slot
+from PySide6.QtCore import QEvent, QSize, Qt, Slot
 from PySide6.QtGui import QAction, QCloseEvent
 from PySide6.QtWidgets import QApplication, QMainWindow, QSplitter, QVBoxLayout, QWidget
 
@@ -43,7 +43,7 @@ class MainWindow(QMainWindow):
         self.addToolBar(tool_bar(self.actions_table))
         self.setCentralWidget(self._body())
         self.setStatusBar(Status(session, self.actions_table))
-        self.resize(1280, 860)
+        self.resize(QSize(1280, 860).boundedTo(self.screen().availableSize()))
         self._examples.triggered.connect(self._open_example)
         self._methods.triggered.connect(self._compare)
         session.document_changed.connect(self._follow)
@@ -212,7 +212,6 @@ class MainWindow(QMainWindow):
         self.actions_table.dress(self.palette())
         self.actions_table[theme_of(self.palette()).name].setChecked(True)
         self._follow_player()
-        self.panels.follow()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self.files.may_go():

@@ -1,7 +1,7 @@
 """A method's panel: its name, its verdict, its frame at t."""
 
 import numpy as np
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QEvent, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
 
@@ -94,13 +94,21 @@ class Panel(QWidget):
     def follow(self, extent: Floats) -> None:
         """Show what the session has of this method, in the view that all panels share."""
         state = self._session.results.get(self.method, MethodState())
+        self._show_verdict(state)
+        self.view.show_blend(state, extent, self._message(state))
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._show_verdict(self._session.results.get(self.method, MethodState()))
+
+    def _show_verdict(self, state: MethodState) -> None:
         text, colour = self._verdict(state)
         self.verdict.setText(text)
         self.verdict.setToolTip(self._tip(state))
         palette = QPalette(self.palette())
         palette.setColor(QPalette.ColorRole.WindowText, QColor(colour))
         self.verdict.setPalette(palette)
-        self.view.show_blend(state, extent, self._message(state))
 
     def _verdict(self, state: MethodState) -> tuple[str, str]:
         """Give the verdict and its colour; a glyph says the same as the colour."""

@@ -1,15 +1,48 @@
 """Pins: the marks as numbered, lettered labels that stand off the outline."""
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import product
+
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
-from app.view import words
 from app.view.drawing import pen, point_of
 from starskel.predicates import Floats
 
-STANDOFF = 22.0
-"""Pixels from the vertex to the middle of its label."""
+STANDOFFS = (22.0, 40.0, 58.0)
+"""Pixels from the vertex to the middle of its label; the farther ones are for labels that find no room."""
+
+TURNS = (0.0, 0.7, -0.7, 1.4, -1.4)
+"""Angles by which a label leaves its direction, in radians, where it finds no room."""
+
+CAPTION = QRectF(6, 6, 170, 24)
+"""Where the name of the canvas stands."""
+
+HEIGHT = 18.0
+
+
+@dataclass(frozen=True, eq=False)
+class Pin:
+    """A label to be tied to a vertex.
+
+    Attributes
+    ----------
+    place : (2,) array
+        The vertex on the screen.
+    direction : (2,) array
+        A unit vector on the screen, towards the label.
+    text : str
+        What the label says.
+    colour : str
+        Its ground; the writing is white.
+    """
+
+    place: Floats
+    direction: Floats
+    text: str
+    colour: str
 
 
 def outward(ring: Floats, vertex: int) -> Floats:
@@ -21,38 +54,27 @@ def outward(ring: Floats, vertex: int) -> Floats:
     return _unit(np.array([along[1], -along[0]]))
 
 
-def paint_pin(painter: QPainter, place: Floats, direction: Floats, index: int, colour: str) -> None:
-    """Paint the label of a mark beside its vertex.
-
-    Parameters
-    ----------
-    place : (2,) array
-        The vertex on the screen.
-    direction : (2,) array
-        A unit vector on the screen, towards the label.
-    index : int
-        The mark's index; its label counts from 1 and a.
-    """
-    paint_label(painter, place, direction, words.mark(index), colour)
-
-
-def paint_label(painter: QPainter, place: Floats, direction: Floats, text: str, colour: str) -> None:
-    """Paint a label with white writing, tied to a place by a short line."""
+def paint_pins(painter: QPainter, pins: Sequence[Pin]) -> None:
+    """Paint pins, their labels clear of each other as far as there is room."""
     font = QFont(painter.font())
     font.setBold(True)
     font.setPointSizeF(9.0)
     painter.setFont(font)
-    width = QFontMetricsF(font).horizontalAdvance(text) + 12
-    middle = point_of(place + direction * (STANDOFF + abs(direction[0]) * (width / 2 - 9)))
-    box = QRectF(middle.x() - width / 2, middle.y() - 9, width, 18)
-    painter.setPen(pen(colour, 2.0))
-    painter.drawLine(point_of(place), middle)
-    painter.setBrush(QColor("white"))
-    painter.drawEllipse(point_of(place), 4.0, 4.0)
-    painter.setPen(pen("white", 1.0))
-    painter.setBrush(QColor(colour))
-    painter.drawRoundedRect(box, 9, 9)
-    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+    room = QRectF(painter.window())
+    boxes: list[QRectF] = []
+    for pin in pins:
+        width = QFontMetricsF(font).horizontalAdvance(pin.text) + 12
+        boxes.append(free_box(pin, width, room, [CAPTION, *boxes]))
+    for pin, box in zip(pins, boxes, strict=True):
+        painter.setPen(pen(pin.colour, 2.0))
+        painter.drawLine(point_of(pin.place), box.center())
+        painter.setBrush(QColor("white"))
+        painter.drawEllipse(point_of(pin.place), 4.0, 4.0)
+    for pin, box in zip(pins, boxes, strict=True):
+        painter.setPen(pen("white", 1.0))
+        painter.setBrush(QColor(pin.colour))
+        painter.drawRoundedRect(box, HEIGHT / 2, HEIGHT / 2)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, pin.text)
 
 
 def cross_at(painter: QPainter, place: QPointF, colour: QColor, size: float = 6.0) -> None:
@@ -60,6 +82,21 @@ def cross_at(painter: QPainter, place: QPointF, colour: QColor, size: float = 6.
     painter.setPen(pen(colour, 2.5))
     painter.drawLine(place + QPointF(-size, -size), place + QPointF(size, size))
     painter.drawLine(place + QPointF(-size, size), place + QPointF(size, -size))
+
+
+def free_box(pin: Pin, width: float, room: QRectF, taken: Sequence[QRectF]) -> QRectF:
+    """Give the first box that is in the room and on no other, or the nearest one where there is none."""
+    boxes = [_box(pin, width, standoff, turn) for standoff, turn in product(STANDOFFS, TURNS)]
+    free = (box for box in boxes if room.contains(box) and not any(box.intersects(other) for other in taken))
+    return next(free, boxes[0])
+
+
+def _box(pin: Pin, width: float, standoff: float, turn: float) -> QRectF:
+    x, y = pin.direction
+    towards = np.array([x * np.cos(turn) - y * np.sin(turn), x * np.sin(turn) + y * np.cos(turn)])
+    sideways = abs(towards[0]) * (width - HEIGHT) / 2
+    middle = point_of(pin.place + towards * (standoff + sideways))
+    return QRectF(middle.x() - width / 2, middle.y() - HEIGHT / 2, width, HEIGHT)
 
 
 def _unit(vector: Floats) -> Floats:
