@@ -11,7 +11,6 @@ edges. Coordinates are rounded, so a segment that passes a vertex by less than `
 """
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +20,7 @@ from starskel.predicates import ROUNDING, Floats, Signs
 from starskel.triangulation import Triangulation
 
 Relation = NDArray[np.bool_]
+Complex = NDArray[np.complex128]
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,12 +38,41 @@ class Visibility:
     sees: Relation
     diagonal: Relation
 
-    def open(self, windows: "_Windows", viewers: "_Viewers") -> None:
-        """Note what viewers see of their own triangle: both ends of the edge opposite."""
-        for end, other in ((windows.right, windows.left), (windows.left, windows.right)):
-            self.sees[windows.viewer, end] = True
-            clear = viewers.clear(windows.viewer, end, other)
-            self.diagonal[windows.viewer[~clear], end[~clear]] = False
+
+def visibility(ground: Triangulation) -> Visibility:
+    """Tell for all pairs of a ring's vertices whether they see each other, in O(visible pairs) entries."""
+    n = len(ground.ring)
+    scene = _Scene.of(ground, ground.points, ground.ring)
+    edges = np.arange(3 * len(ground.triangles))
+    opposite = edges - edges % 3 + (edges + 1) % 3
+    seen = Visibility(np.eye(n, dtype=bool), np.zeros((n, n), dtype=bool))
+    _look(scene, _Windows.at(ground, ground.triangles.ravel(), opposite), seen)
+    ring = np.arange(n)
+    for step in (1, -1):  # edges of the ring are no diagonals
+        seen.diagonal[ring, (ring + step) % n] = False
+    return Visibility(seen.sees, seen.diagonal & seen.diagonal.T)
+
+
+def visibility_from(ground: Triangulation, places: Floats) -> Visibility:
+    """Tell which vertices of a ring are seen from (k, 2) places that are no vertices; from outside none."""
+    n, k = len(ground.ring), len(places)
+    rows = len(ground.points.coordinates) + np.arange(k)
+    points = ground.points.with_free(places)
+    at, triangles, ahead = _locate(ground, points, rows)
+    edges = (3 * triangles[:, None] + np.arange(3))[ahead]
+    seen = Visibility(np.zeros((k, n), dtype=bool), np.zeros((k, n), dtype=bool))
+    windows = _Windows.at(ground, np.repeat(at, 3)[ahead.ravel()], edges)
+    _look(_Scene.of(ground, points, rows), windows, seen)
+    return seen
+
+
+def _locate(ground: Triangulation, points: Points, rows: Indices) -> tuple[Indices, Indices, Relation]:
+    """Find the closed triangles round each viewer, and which of their edges lie ahead of it."""
+    a = ground.ring[ground.triangles]
+    b = np.roll(a, -1, axis=1)
+    turns = points.orientation(rows[:, None, None], a[None], b[None])
+    at, triangles = np.nonzero((turns >= 0).all(axis=2))
+    return at, triangles, turns[at, triangles] > 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,113 +84,107 @@ class _Windows:
     right: Indices
     left: Indices
 
+    @classmethod
+    def at(cls, ground: Triangulation, viewer: Indices, edge: Indices) -> "_Windows":
+        """Give the windows that half-edges are to viewers in their triangle."""
+        starts, ends = ground.triangles.ravel(), np.roll(ground.triangles, -1, axis=1).ravel()
+        return cls(viewer, edge, starts[edge], ends[edge])
+
     def keep(self, chosen: Relation) -> "_Windows":
+        """Give some of the windows."""
         return _Windows(self.viewer[chosen], self.edge[chosen], self.right[chosen], self.left[chosen])
+
+    def join(self, other: "_Windows") -> "_Windows":
+        """Give these windows and others."""
+        return _Windows(
+            np.concatenate([self.viewer, other.viewer]),
+            np.concatenate([self.edge, other.edge]),
+            np.concatenate([self.right, other.right]),
+            np.concatenate([self.left, other.left]),
+        )
 
 
 @dataclass(frozen=True, eq=False)
-class _Viewers:
-    """Where the viewers and the vertices of the ring stand among the points."""
+class _Scene:
+    """Where the viewers and the ring's vertices are; what lies behind each half-edge.
+
+    Attributes
+    ----------
+    points : Points
+    ring, rows : (n,) and (k,) arrays of int
+        The rows of the vertices and of the viewers.
+    vertices, viewers : (n,) and (k,) complex arrays
+        Their coordinates.
+    apex : (h,) array of int
+        The corner of the triangle behind each half-edge that is not an end of it; -1 on the ring.
+    onward : (h,) arrays of int, two
+        The half-edges from that triangle on: to the right and to the left of its apex.
+    slack : float
+        What two coordinates may be off by rounding, together.
+    """
 
     points: Points
     ring: Indices
     rows: Indices
+    vertices: Complex
+    viewers: Complex
+    apex: Indices
+    onward: tuple[Indices, Indices]
+    slack: float
 
-    @cached_property
-    def slack(self) -> float:
-        """What two coordinates may be off by rounding, together."""
-        return 2 * ROUNDING * float(np.abs(self.points.coordinates[self.ring]).max())
+    @classmethod
+    def of(cls, ground: Triangulation, points: Points, rows: Indices) -> "_Scene":
+        twins = ground.twins
+        following, last = (twins - twins % 3 + (twins + step) % 3 for step in (1, 2))
+        apex = np.where(twins < 0, -1, ground.triangles.ravel()[last])
+        places = points.coordinates.view(np.complex128)[:, 0]
+        slack = 2 * ROUNDING * float(np.abs(ground.vertices).max())
+        vertices, viewers = places[ground.ring], places[rows]
+        return cls(points, ground.ring, rows, vertices, viewers, apex, (following, last), slack)
 
-    def turn(self, viewer: Indices, first: Indices, second: Indices) -> Signs:
-        """Tell whether a viewer turns left (1) or right (-1) to look from one vertex to another."""
-        return self.points.orientation(self.rows[viewer], self.ring[first], self.ring[second])
+    def turn(self, viewer: Indices, first: Indices, second: Indices) -> tuple[Signs, Relation]:
+        """Tell how viewers turn to look from one vertex to another: left (1), right (-1) or not (0).
 
-    def clear(self, viewer: Indices, seen: Indices, passed: Indices) -> Relation:
-        """Tell whether the line from a viewer to the vertex seen passes another one by more than rounding."""
-        places = self.points.coordinates
-        line = places[self.ring[seen]] - places[self.rows[viewer]]
-        beside = places[self.ring[passed]] - places[self.rows[viewer]]
-        doubled = np.abs(line[:, 0] * beside[:, 1] - line[:, 1] * beside[:, 0])
-        clear: Relation = doubled > self.slack * np.hypot(*line.T)
-        return clear
-
-
-def visibility(ground: Triangulation) -> Visibility:
-    """Tell for all pairs of a ring's vertices whether they see each other, in O(visible pairs) entries."""
-    n = len(ground.ring)
-    viewers = ground.triangles.ravel()
-    edges = np.arange(len(viewers))
-    opposite = edges - edges % 3 + (edges + 1) % 3
-    first = _open(ground, viewers, opposite)
-    seen = Visibility(np.eye(n, dtype=bool), np.zeros((n, n), dtype=bool))
-    seen.diagonal[first.viewer, first.right] = True
-    seen.diagonal[first.viewer, first.left] = True
-    _expand(ground, _Viewers(ground.points, ground.ring, ground.ring), first, seen)
-    ring = np.arange(n)
-    for step in (1, -1):  # edges of the ring are no diagonals
-        seen.diagonal[ring, (ring + step) % n] = False
-    return Visibility(seen.sees, seen.diagonal & seen.diagonal.T)
+        Tell, too, whether the line to either vertex passes the other by more than rounding.
+        """
+        at = self.viewers[viewer]
+        a, b = self.vertices[first] - at, self.vertices[second] - at
+        doubled = a.real * b.imag - a.imag * b.real
+        reach = self.slack * (np.abs(a) + np.abs(b))
+        signs = np.sign(doubled).astype(np.int8)
+        close = np.flatnonzero(np.abs(doubled) <= 4 * reach)
+        if len(close):
+            turned = self.points.orientation(
+                self.rows[viewer[close]], self.ring[first[close]], self.ring[second[close]]
+            )
+            signs[close] = turned
+        return signs, np.abs(doubled) > reach
 
 
-def visibility_from(ground: Triangulation, places: Floats) -> Visibility:
-    """Tell which vertices of a ring are seen from (k, 2) places that are no vertices; from outside none."""
-    n, k = len(ground.ring), len(places)
-    seen = Visibility(np.zeros((k, n), dtype=bool), np.zeros((k, n), dtype=bool))
-    free = len(ground.points.coordinates) + np.arange(k)
-    viewers = _Viewers(ground.points.with_free(places), ground.ring, free)
-    at, triangles, ahead = _locate(ground, viewers)
-    for corner in ground.triangles[triangles].T:
-        seen.diagonal[at, corner] = True
-    edges = (3 * triangles[:, None] + np.arange(3))[ahead]
-    _expand(ground, viewers, _open(ground, np.repeat(at, 3)[ahead.ravel()], edges), seen)
-    return seen
-
-
-def _locate(ground: Triangulation, viewers: _Viewers) -> tuple[Indices, Indices, Relation]:
-    """Find the closed triangles round each viewer, and which of their edges lie ahead of it."""
-    a = ground.ring[ground.triangles]
-    b = np.roll(a, -1, axis=1)
-    turns = viewers.points.orientation(viewers.rows[:, None, None], a[None], b[None])
-    at, triangles = np.nonzero((turns >= 0).all(axis=2))
-    return at, triangles, turns[at, triangles] > 0
-
-
-def _open(ground: Triangulation, viewers: Indices, edges: Indices) -> _Windows:
-    starts = ground.triangles.ravel()[edges]
-    ends = np.roll(ground.triangles, -1, axis=1).ravel()[edges]
-    return _Windows(viewers, edges, starts, ends)
-
-
-def _expand(ground: Triangulation, viewers: _Viewers, windows: _Windows, seen: Visibility) -> None:
-    """Advance windows until all have met the ring."""
-    seen.open(windows, viewers)
-    corners = ground.triangles.ravel()
+def _look(scene: _Scene, windows: _Windows, seen: Visibility) -> None:
+    """Note what viewers see of their own triangles, then advance windows until all have met the ring."""
+    _, clear = scene.turn(windows.viewer, windows.right, windows.left)
+    for end in (windows.right, windows.left):
+        seen.sees[windows.viewer, end] = True
+        seen.diagonal[windows.viewer, end] = True
+    for end in (windows.right, windows.left):
+        seen.diagonal[windows.viewer[~clear], end[~clear]] = False
     while len(windows.viewer):
-        behind = ground.twins[windows.edge]
-        windows, behind = windows.keep(behind >= 0), behind[behind >= 0]
-        after = behind - behind % 3 + (behind + 1) % 3  # from the window's right end to the apex
-        last = behind - behind % 3 + (behind + 2) % 3  # from the apex to its left end
-        apex = corners[last]
-        from_right = viewers.turn(windows.viewer, windows.right, apex)
-        from_left = viewers.turn(windows.viewer, apex, windows.left)
-        row = windows.viewer
-        within = (from_right >= 0) & (from_left >= 0)
-        seen.sees[row[within], apex[within]] = True
-        strictly = (from_right > 0) & (from_left > 0)
-        strictly[strictly] &= viewers.clear(row[strictly], apex[strictly], windows.right[strictly])
-        strictly[strictly] &= viewers.clear(row[strictly], apex[strictly], windows.left[strictly])
-        seen.diagonal[row[strictly], apex[strictly]] = True
-        left = np.where(from_left >= 0, apex, windows.left)
-        right = np.where(from_right >= 0, apex, windows.right)
-        rightward = _Windows(windows.viewer, after, windows.right, left).keep(from_right >= 0)
-        leftward = _Windows(windows.viewer, last, right, windows.left).keep(from_left >= 0)
-        windows = _join(rightward, leftward)
+        windows = _advance(scene, windows.keep(scene.apex[windows.edge] >= 0), seen)
 
 
-def _join(a: _Windows, b: _Windows) -> _Windows:
-    return _Windows(
-        np.concatenate([a.viewer, b.viewer]),
-        np.concatenate([a.edge, b.edge]),
-        np.concatenate([a.right, b.right]),
-        np.concatenate([a.left, b.left]),
-    )
+def _advance(scene: _Scene, windows: _Windows, seen: Visibility) -> _Windows:
+    """Note which apexes are seen behind windows, and give the windows onward."""
+    viewer, apex = windows.viewer, scene.apex[windows.edge]
+    from_right, clear_right = scene.turn(viewer, windows.right, apex)
+    from_left, clear_left = scene.turn(viewer, apex, windows.left)
+    right_of_left, left_of_right = from_left >= 0, from_right >= 0
+    within = right_of_left & left_of_right
+    seen.sees[viewer[within], apex[within]] = True
+    strictly = within & clear_right & clear_left
+    seen.diagonal[viewer[strictly], apex[strictly]] = True
+    onward = [edges[windows.edge] for edges in scene.onward]
+    left = np.where(right_of_left, apex, windows.left)
+    right = np.where(left_of_right, apex, windows.right)
+    rightward = _Windows(viewer, onward[0], windows.right, left).keep(left_of_right)
+    return rightward.join(_Windows(viewer, onward[1], right, windows.left).keep(right_of_left))
