@@ -11,14 +11,13 @@ translate = QCoreApplication.translate
 
 _LETTERS = "abcdefghijklmnopqrstuvwxyz"
 
-_METHODS = {
-    "vertex": QT_TRANSLATE_NOOP("Method", "vertex"),
-    "edge-angle": QT_TRANSLATE_NOOP("Method", "edge-angle"),
-    "star-skeleton": QT_TRANSLATE_NOOP("Method", "star-skeleton"),
-    "stitched": QT_TRANSLATE_NOOP("Method", "stitched"),
-    "rigid": QT_TRANSLATE_NOOP("Method", "rigid"),
-    "certified": QT_TRANSLATE_NOOP("Method", "certified"),
-}
+# the library's names for its methods, for the translation tools to find
+_METHODS = (
+    QT_TRANSLATE_NOOP("Method", "vertex"),
+    QT_TRANSLATE_NOOP("Method", "edge-angle"),
+    QT_TRANSLATE_NOOP("Method", "star-skeleton"),
+    QT_TRANSLATE_NOOP("Method", "stitched"),
+)
 
 
 def step(name: str) -> str:
