@@ -45,3 +45,7 @@ class Task:
         """Give the stretch between two fractions of this one."""
         width = self.end - self.start
         return Task(self.progress, self.should_stop, self.start + start * width, self.start + end * width)
+
+
+UNWATCHED = Task()
+"""Work that nobody watches and nobody stops."""

@@ -41,6 +41,10 @@ class Triangulation:
         return vertices
 
 
+Grounds = tuple[Triangulation, Triangulation]
+"""The same ring triangulated in the source and in the target."""
+
+
 def triangulate(points: Points, ring: Indices) -> Triangulation:
     """Triangulate the simple ring over some points, exactly right also where vertices lie on straight runs.
 

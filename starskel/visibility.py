@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from starskel.points import Indices, Points
 from starskel.predicates import ROUNDING, Floats, Signs
+from starskel.task import UNWATCHED, Task
 from starskel.triangulation import Triangulation
 
 Relation = NDArray[np.bool_]
@@ -39,40 +40,48 @@ class Visibility:
     diagonal: Relation
 
 
-def visibility(ground: Triangulation) -> Visibility:
-    """Tell for all pairs of a ring's vertices whether they see each other, in O(visible pairs) entries."""
+def visibility(ground: Triangulation, task: Task = UNWATCHED) -> Visibility:
+    """Tell for all pairs of a ring's vertices whether they see each other, in O(visible pairs) entries.
+
+    Raises
+    ------
+    Cancelled
+        If the task is told to stop.
+    """
     n = len(ground.ring)
     scene = _Scene.of(ground, ground.points, ground.ring)
     edges = np.arange(3 * len(ground.triangles))
     opposite = edges - edges % 3 + (edges + 1) % 3
     seen = Visibility(np.eye(n, dtype=bool), np.zeros((n, n), dtype=bool))
-    _look(scene, _Windows.at(ground, ground.triangles.ravel(), opposite), seen)
+    _look(scene, _Windows.at(ground, ground.triangles.ravel(), opposite), seen, task)
     ring = np.arange(n)
     for step in (1, -1):  # edges of the ring are no diagonals
         seen.diagonal[ring, (ring + step) % n] = False
     return Visibility(seen.sees, seen.diagonal & seen.diagonal.T)
 
 
-def visibility_from(ground: Triangulation, places: Floats) -> Visibility:
-    """Tell which vertices of a ring are seen from (k, 2) places that are no vertices; from outside none."""
+def visibility_from(
+    ground: Triangulation, places: Floats, triangles: Indices, task: Task = UNWATCHED
+) -> Visibility:
+    """Tell which vertices of a ring are seen from (k, 2) places, each given with the triangle it lies in.
+
+    From a place that is not strictly inside its triangle nothing is seen.
+
+    Raises
+    ------
+    Cancelled
+        If the task is told to stop.
+    """
     n, k = len(ground.ring), len(places)
     rows = len(ground.points.coordinates) + np.arange(k)
     points = ground.points.with_free(places)
-    at, triangles, ahead = _locate(ground, points, rows)
-    edges = (3 * triangles[:, None] + np.arange(3))[ahead]
+    corners = ground.ring[ground.triangles[triangles]]
+    turns = points.orientation(rows[:, None], corners, np.roll(corners, -1, axis=1))
+    viewers = np.repeat(np.flatnonzero((turns > 0).all(axis=1)), 3)
+    windows = _Windows.at(ground, viewers, 3 * triangles[viewers] + np.arange(len(viewers)) % 3)
     seen = Visibility(np.zeros((k, n), dtype=bool), np.zeros((k, n), dtype=bool))
-    windows = _Windows.at(ground, np.repeat(at, 3)[ahead.ravel()], edges)
-    _look(_Scene.of(ground, points, rows), windows, seen)
+    _look(_Scene.of(ground, points, rows), windows, seen, task)
     return seen
-
-
-def _locate(ground: Triangulation, points: Points, rows: Indices) -> tuple[Indices, Indices, Relation]:
-    """Find the closed triangles round each viewer, and which of their edges lie ahead of it."""
-    a = ground.ring[ground.triangles]
-    b = np.roll(a, -1, axis=1)
-    turns = points.orientation(rows[:, None, None], a[None], b[None])
-    at, triangles = np.nonzero((turns >= 0).all(axis=2))
-    return at, triangles, turns[at, triangles] > 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -161,7 +170,7 @@ class _Scene:
         return signs, np.abs(doubled) > reach
 
 
-def _look(scene: _Scene, windows: _Windows, seen: Visibility) -> None:
+def _look(scene: _Scene, windows: _Windows, seen: Visibility, task: Task) -> None:
     """Note what viewers see of their own triangles, then advance windows until all have met the ring."""
     _, clear = scene.turn(windows.viewer, windows.right, windows.left)
     for end in (windows.right, windows.left):
@@ -170,6 +179,7 @@ def _look(scene: _Scene, windows: _Windows, seen: Visibility) -> None:
     for end in (windows.right, windows.left):
         seen.diagonal[windows.viewer[~clear], end[~clear]] = False
     while len(windows.viewer):
+        task.reach(0)
         windows = _advance(scene, windows.keep(scene.apex[windows.edge] >= 0), seen)
 
 

@@ -70,7 +70,8 @@ def _fewest(tiling: Tiling, whole: Piece, task: Task) -> list[Piece] | None:
     ring = np.array(whole)
     if (star_vertices(tiling.source, ring) & star_vertices(tiling.target, ring)).any():
         return [whole]
-    return minimal_pieces(links_of(triangulate(tiling.source, ring), triangulate(tiling.target, ring)), task)
+    grounds = triangulate(tiling.source, ring), triangulate(tiling.target, ring)
+    return minimal_pieces(links_of(*grounds, task.part(0, 0)), task)
 
 
 def _finished(pair: Correspondence, tiling: Tiling) -> Decomposition:

@@ -8,7 +8,8 @@ import numpy as np
 from starskel.decomposition.minimal import Piece
 from starskel.decomposition.tiling import Tiling
 from starskel.predicates import Floats
-from starskel.triangulation import Triangulation
+from starskel.task import Task
+from starskel.triangulation import Grounds, Triangulation
 from starskel.visibility import Relation, visibility_from
 
 EASY = 2
@@ -16,6 +17,9 @@ EASY = 2
 
 MOST_PLACES = 300
 """Candidates kept in each polygon, those that see most; all pairs of them are compared."""
+
+MOST_SAMPLES = 3000
+"""Places that are looked at in each polygon, one at least in each triangle."""
 
 _WEIGHTS = np.array(
     [(31, 33, 36), (67, 16, 17), (15, 68, 17), (17, 15, 68), (41, 40, 19), (42, 19, 39), (18, 41, 41)],
@@ -40,15 +44,15 @@ class _Places:
     sees: Relation
 
 
-def fans(tiling: Tiling, piece: Piece, source: Triangulation, target: Triangulation, most: int) -> list[Fan]:
+def fans(tiling: Tiling, piece: Piece, grounds: Grounds, most: int, task: Task) -> list[Fan]:
     """Give the most promising ways to place one Steiner vertex in a piece, the best first.
 
     Every pocket has fewer vertices than the piece.
     """
     centre = len(tiling.source.coordinates)
-    first, second = _places(source), _places(target)
+    first, second = (_places(ground, task) for ground in grounds)
     found = []
-    for i, j in _best(first.sees, second.sees, most):
+    for i, j in _best(first.sees, second.sees, most, task):
         spokes = np.flatnonzero(first.sees[i] & second.sees[j])
         stars, pockets = _cut(piece, spokes.tolist(), centre)
         cut = tiling.replace(piece, [*stars, *pockets], first.at[[i]], second.at[[j]])
@@ -56,41 +60,43 @@ def fans(tiling: Tiling, piece: Piece, source: Triangulation, target: Triangulat
     return found
 
 
-def _places(ground: Triangulation) -> _Places:
+def _places(ground: Triangulation, task: Task) -> _Places:
     """Sample the triangles; of the places that see the same vertices keep one."""
     corners = ground.vertices[ground.triangles]
-    weights = _WEIGHTS / _WEIGHTS.sum(axis=1, keepdims=True)
-    samples = np.einsum("ws,fsx->fwx", weights, corners).reshape(-1, 2)
-    sees = visibility_from(ground, samples).diagonal
+    weights = _WEIGHTS[: max(1, MOST_SAMPLES // len(corners))]
+    samples = np.einsum("ws,fsx->fwx", weights / weights.sum(axis=1, keepdims=True), corners).reshape(-1, 2)
+    triangles = np.repeat(np.arange(len(corners)), len(weights))
+    sees = visibility_from(ground, samples, triangles, task).diagonal
     _, kept = np.unique(np.packbits(sees, axis=1), axis=0, return_index=True)
     kept = kept[np.lexsort((kept, -sees[kept].sum(axis=1)))][:MOST_PLACES]
     return _Places(samples[kept], sees[kept])
 
 
-def _best(first: Relation, second: Relation, most: int) -> list[tuple[int, int]]:
+def _best(first: Relation, second: Relation, most: int, task: Task) -> list[tuple[int, int]]:
     """Rank pairs of places by what they leave hidden."""
-    n = first.shape[1]
     hardness = np.empty((len(first), len(second)))
     for i, sees in enumerate(first):  # one row at a time: all pairs at once would take gigabytes
-        hidden = ~(sees & second)
-        runs = hidden & ~np.roll(hidden, 1, axis=1)
-        deep = hidden.copy()
-        for step in range(1, EASY + 1):
-            deep &= np.roll(hidden, step, axis=1)
-        hardness[i] = n * deep.sum(axis=1) + runs.sum(axis=1)
-        hardness[i, ~_shrinks(hidden)] = np.inf
+        task.reach(0)
+        hardness[i] = _hardness(sees & second)
     ranked = np.argsort(hardness, axis=None, kind="stable")[:most]
     ranked = ranked[np.isfinite(hardness.ravel()[ranked])]
     return [(int(i), int(j)) for i, j in zip(*np.unravel_index(ranked, hardness.shape), strict=True)]
 
 
-def _shrinks(hidden: Relation) -> Relation:
-    """Tell whether every pocket, its run of hidden vertices and three more, is smaller than the polygon."""
-    n = hidden.shape[1]
-    twice = np.concatenate([hidden, hidden], axis=1)
-    window = np.lib.stride_tricks.sliding_window_view(twice, max(n - 3, 1), axis=1)
-    shrinks: Relation = ~np.any(np.all(window, axis=2), axis=1)
-    return shrinks
+def _hardness(seen: Relation) -> Floats:
+    """Give for each row the hidden vertices beyond those that are easy, then the pockets.
+
+    It is infinite where a pocket, its run of hidden vertices and three more, is no smaller than the polygon:
+    where all vertices seen are among three neighbours.
+    """
+    deep, neighbours = ~seen, seen.astype(np.intp)
+    for step in range(1, EASY + 1):
+        deep &= ~np.roll(seen, step, axis=1)
+        neighbours += np.roll(seen, step, axis=1)
+    pockets = (seen & ~np.roll(seen, 1, axis=1)).sum(axis=1)
+    hardness: Floats = seen.shape[1] * deep.sum(axis=1) + pockets.astype(np.float64)
+    hardness[neighbours.max(axis=1) == seen.sum(axis=1)] = np.inf
+    return hardness
 
 
 def _cut(piece: Piece, spokes: list[int], centre: int) -> tuple[list[Piece], list[Piece]]:

@@ -14,9 +14,7 @@ from starskel.decomposition.minimal import Piece, least_stuck_cells
 from starskel.decomposition.overlay import crossings, overlay
 from starskel.decomposition.tiling import Tiling
 from starskel.task import Task
-from starskel.triangulation import Triangulation, triangulate
-
-Grounds = tuple[Triangulation, Triangulation]
+from starskel.triangulation import Grounds, triangulate
 
 TRIED = 4
 """Places of a Steiner vertex that are tried to the end before one is chosen."""
@@ -28,7 +26,8 @@ def climb(tiling: Tiling, cell: Piece, task: Task, tried: int = TRIED) -> Tiling
     if tiling.is_star(cell):
         return tiling
     grounds = _triangulate(tiling, cell)
-    parts = [tuple(cell[v] for v in part) for part in least_stuck_cells(links_of(*grounds), task.part(0, 0))]
+    cells = least_stuck_cells(links_of(*grounds, task), task.part(0, 0))
+    parts = [tuple(cell[v] for v in part) for part in cells]
     tiling = tiling.replace(cell, parts)
     for at, part in enumerate(parts):
         if not tiling.is_star(part):
@@ -39,7 +38,7 @@ def climb(tiling: Tiling, cell: Piece, task: Task, tried: int = TRIED) -> Tiling
 
 def _free(tiling: Tiling, cell: Piece, grounds: Grounds, task: Task, tried: int) -> Tiling:
     """Replace a stuck cell."""
-    filled = [_fill(fan, task) for fan in fans(tiling, cell, *grounds, tried)]
+    filled = [_fill(fan, task) for fan in fans(tiling, cell, grounds, tried, task)]
     best = min(filled, key=Tiling.cost, default=None)
     needed = len(tiling.source.coordinates) + crossings(*grounds)
     if best is None or needed < best.cost()[0]:

@@ -4,13 +4,14 @@ import numpy as np
 
 from starskel.decomposition.minimal import Links
 from starskel.predicates import Floats
+from starskel.task import Task
 from starskel.triangulation import Triangulation
 from starskel.visibility import visibility
 
 
-def links_of(source: Triangulation, target: Triangulation) -> Links:
+def links_of(source: Triangulation, target: Triangulation, task: Task) -> Links:
     """Give the links of a pair; a diagonal costs its mean length, each in the size of its polygon."""
-    first, second = visibility(source), visibility(target)
+    first, second = visibility(source, task), visibility(target, task)
     lengths = _lengths(source.vertices) + _lengths(target.vertices)
     price = lengths / (2 * len(lengths) * lengths.max())
     return Links(first.sees & second.sees, first.diagonal & second.diagonal, price)

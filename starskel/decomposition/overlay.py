@@ -10,14 +10,13 @@ target's; any places in the right order do, so they are spread evenly.
 from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
 from starskel.decomposition.minimal import Piece
 from starskel.decomposition.tiling import Tiling
 from starskel.points import Indices
 from starskel.predicates import Floats
 from starskel.triangulation import Triangulation
-
-Chord = tuple[int, int]
 
 
 def overlay(tiling: Tiling, piece: Piece, source: Triangulation, target: Triangulation) -> Tiling:
@@ -27,53 +26,55 @@ def overlay(tiling: Tiling, piece: Piece, source: Triangulation, target: Triangu
     """
     n = len(piece)
     first, second = _chords(source), _chords(target)
-    names = _name_crossings(first, second, n)
-    tracks = {chord: _crossed(chord, second, n) for chord in first}
-    lines = [[a, *(names[(a, b), o] for o in tracks[a, b]), b] for a, b in first]
-    across = [[a, *(names[o, (a, b)] for o in _crossed((a, b), first, n)), b] for a, b in second]
-    faces = _faces(n, [*lines, *(line for line in across if not _doubled(line, tracks))])
-    rows = [*piece, *(len(tiling.source.coordinates) + np.arange(len(names))).tolist()]
+    crossing = _crossing(first, second)
+    count = int(crossing.sum())
+    names = np.where(crossing, n - 1 + np.cumsum(crossing).reshape(crossing.shape), -1)
+    lines = _lines(n, first, second, names)
+    across = _lines(n, second, first, names.T)
+    drawn = {(line[0], line[-1]) for line in lines if len(line) == 2}  # chords of both triangulations
+    faces = _faces(n, [*lines, *(line for line in across if (line[0], line[-1]) not in drawn)])
+    rows = [*piece, *(len(tiling.source.coordinates) + np.arange(count)).tolist()]
     return tiling.replace(
         piece,
         [tuple(rows[v] for v in face) for face in faces],
-        _spread(source.vertices, lines, len(names)),
-        _spread(target.vertices, across, len(names)),
+        _spread(source.vertices, lines, count),
+        _spread(target.vertices, across, count),
     )
 
 
 def crossings(source: Triangulation, target: Triangulation) -> int:
     """Count the Steiner vertices that an overlay of two triangulations needs."""
-    return len(_name_crossings(_chords(source), _chords(target), len(source.ring)))
+    return int(_crossing(_chords(source), _chords(target)).sum())
 
 
-def _chords(ground: Triangulation) -> list[Chord]:
+def _chords(ground: Triangulation) -> Indices:
+    """Give the diagonals of a triangulation, (k, 2), lower index first, sorted."""
     a, b = ground.triangles.ravel(), np.roll(ground.triangles, -1, axis=1).ravel()
     inner = (ground.twins >= 0) & (a < b)
-    return sorted(zip(a[inner].tolist(), b[inner].tolist(), strict=True))
+    return np.unique(np.stack([a[inner], b[inner]], axis=1), axis=0)
 
 
-def _name_crossings(first: list[Chord], second: list[Chord], n: int) -> dict[tuple[Chord, Chord], int]:
-    """Give each crossing of a first with a second chord its row among the vertices."""
-    crossing = _crossing(np.array(first).reshape(-1, 2), np.array(second).reshape(-1, 2))
-    return {(first[i], second[j]): n + at for at, (i, j) in enumerate(np.argwhere(crossing).tolist())}
-
-
-def _crossing(first: Indices, second: Indices) -> np.ndarray:
+def _crossing(first: Indices, second: Indices) -> NDArray[np.bool_]:
     a, b = (first[:, None, side] for side in (0, 1))
     c, d = (second[None, :, side] for side in (0, 1))
-    crossing: np.ndarray = ((a < c) & (c < b) & (b < d)) | ((c < a) & (a < d) & (d < b))
+    crossing: NDArray[np.bool_] = ((a < c) & (c < b) & (b < d)) | ((c < a) & (a < d) & (d < b))
     return crossing
 
 
-def _crossed(chord: Chord, others: list[Chord], n: int) -> list[Chord]:
-    """Give the chords that cross this one, in order from its start; they do not cross each other."""
-    a, b = chord
+def _lines(n: int, chords: Indices, others: Indices, names: Indices) -> list[list[int]]:
+    """Give each chord as the vertices along it: its ends, and between them its crossings in order.
 
-    def way(other: Chord) -> int:
-        near, far = other if a < other[0] < b else other[::-1]
-        return (near - a) + (a - far) % n
-
-    return sorted((o for o in others if _crossing(np.array([chord]), np.array([o])).item()), key=way)
+    The others do not cross each other, so they cross a chord in the order of their ends.
+    """
+    lines = []
+    for (a, b), row in zip(chords.tolist(), names, strict=True):
+        crossed = np.flatnonzero(row >= 0)
+        c, d = others[crossed].T
+        between = (a < c) & (c < b)
+        near, far = np.where(between, c, d), np.where(between, d, c)
+        order = np.argsort(near - a + (a - far) % n)
+        lines.append([a, *row[crossed[order]].tolist(), b])
+    return lines
 
 
 def _spread(ring: Floats, lines: list[list[int]], count: int) -> Floats:
@@ -84,11 +85,6 @@ def _spread(ring: Floats, lines: list[list[int]], count: int) -> Floats:
         share = (np.arange(len(inner)) + 1)[:, None] / (len(inner) + 1)
         placed[np.array(inner, dtype=np.intp) - n] = (1 - share) * ring[start] + share * ring[end]
     return placed
-
-
-def _doubled(line: list[int], tracks: dict[Chord, list[Chord]]) -> bool:
-    """Tell whether a chord stands in both triangulations, and so has been drawn."""
-    return len(line) == 2 and (line[0], line[1]) in tracks
 
 
 def _faces(n: int, lines: list[list[int]]) -> tuple[Piece, ...]:

@@ -8,7 +8,7 @@ from starskel.polygon import signed_area
 from starskel.triangulation import Triangulation
 from starskel.visibility import visibility, visibility_from
 from tests.families import comb, spiral, subdivided, turned, two_opt
-from tests.starskel.exact import all_relations, locate, rational, relations
+from tests.starskel.exact import all_relations, rational, relations
 
 
 def triangulate(ring) -> Triangulation:
@@ -80,19 +80,29 @@ def test_turning_a_ring_of_straight_runs_changes_nothing(angle):
 @pytest.mark.parametrize("seed", range(6))
 def test_places_see_what_rational_arithmetic_says(seed):
     ring = two_opt(12, seed, 5)
-    places = np.random.default_rng(seed).integers(0, 9, (40, 2)) / 2
-    places = places[~(places[:, None] == ring[None]).all(axis=2).any(axis=1)]
-    seen = visibility_from(triangulate(ring), places)
+    ground = triangulate(ring)
+    corners = ring[ground.triangles]
+    places = weighted(corners)
+    seen = visibility_from(ground, places, np.arange(len(places)) % len(corners))
     exact = rational(ring)
     for row, place in enumerate(rational(places)):
-        where = locate(place, exact)
-        if where < 0:
-            assert not seen.sees[row].any()
-        for v in range(len(ring)):
-            sees, diagonal = relations(len(ring), v, [*exact, place], ring=exact)
-            assert seen.sees[row, v] == (sees and where >= 0)
-            if where > 0:
-                assert seen.diagonal[row, v] == diagonal
+        expected = [relations(len(ring), v, [*exact, place], ring=exact) for v in range(len(ring))]
+        np.testing.assert_array_equal(np.stack([seen.sees[row], seen.diagonal[row]], axis=1), expected)
+
+
+def weighted(corners):
+    """Two places in each triangle, in multiples of 1/4, so that views graze vertices exactly."""
+    return np.concatenate(
+        [np.einsum("w,fwx->fx", w, corners) for w in ((0.5, 0.25, 0.25), (0.25, 0.25, 0.5))]
+    )
+
+
+def test_from_a_place_outside_its_triangle_nothing_is_seen():
+    ring = comb(3)
+    ground = triangulate(ring)
+    seen = visibility_from(ground, np.array([(-5.0, 0.5), *ring[:1]]), np.array([0, 0]))
+    assert not seen.sees.any()
+    assert not seen.diagonal.any()
 
 
 def test_a_ring_that_touches_itself_is_refused():

@@ -12,7 +12,7 @@ from tests.starskel.decomposition.exhaustive import fewest_pieces, pairs_of_ring
 
 def links(source, target):
     ring = np.arange(len(source))
-    return links_of(triangulate(points_of(source), ring), triangulate(points_of(target), ring))
+    return links_of(triangulate(points_of(source), ring), triangulate(points_of(target), ring), Task())
 
 
 def pair(kind, seed):
