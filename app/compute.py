@@ -140,7 +140,8 @@ class Job:
 
     def _blend(self, method: str) -> Blend:
         if self._pair is None:
-            self._pair = match(self._request.source, self._request.target, self._request.marks)
+            request = self._request
+            self._pair = match(request.source, request.target, request.marks, should_stop=self._is_old)
         made = blend(
             self._pair,
             method=method,

@@ -32,7 +32,9 @@ class DrawTool(Tool):
     """Ready to begin a polygon."""
 
     name: ClassVar[str] = "draw"
-    hint: ClassVar[str] = QT_TRANSLATE_NOOP("Hint", "Click to set the first vertex of a new shape.")
+    hint: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Hint", "Click to set the first vertex; the new shape replaces the one on its canvas."
+    )
 
     def press(self, scene: Scene, pointer: Pointer) -> Response:
         return Response(Drawing(pointer.side, (pointer.at,), pointer.at))

@@ -213,6 +213,6 @@ MENUS = (
 """Menus in order; an empty name is a separator, and names that are no commands are submenus."""
 
 TOOLBAR = (
-    *("open", "save", "", "select", "draw", "mark", "", "undo", "redo", ""),
+    *("new", "open", "save", "", "select", "draw", "mark", "", "undo", "redo", ""),
     *("fit", "pieces", "skeleton", "", "export"),
 )

@@ -1,5 +1,6 @@
 """Start: the program, its window, and what is open in it first."""
 
+import signal
 import sys
 import traceback
 from pathlib import Path
@@ -50,6 +51,7 @@ class Faults(QObject):
 
 def run(path: Path | None) -> int:
     """Open the window with a file, or with the first example playing, until it is closed."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # Qt's loop would keep Ctrl+C in a terminal waiting
     application = QApplication(sys.argv[:1])
     application.setApplicationName("starskel")
     scheme = application.styleHints().colorScheme()
