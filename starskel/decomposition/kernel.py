@@ -4,13 +4,21 @@ import numpy as np
 
 from starskel.points import Indices, Points, points_of
 from starskel.polygon import signed_area
-from starskel.predicates import ROUNDING, Floats, Signs
+from starskel.predicates import ROUNDING, Floats
 from starskel.visibility import Relation
+
+_AT_ONCE = 64
 
 
 def star_vertices(points: Points, ring: Indices) -> Relation:
     """Give for each vertex of a simple ring over points whether it lies in the kernel, exactly."""
-    return np.asarray(np.all(_sides(points, ring, ring) >= 0, axis=1))
+    stars = np.ones(len(ring), dtype=bool)
+    ends = np.roll(ring, -1)
+    for first in range(0, len(ring), _AT_ONCE):  # few edges leave few vertices to look at
+        edges = slice(first, first + _AT_ONCE)
+        sides = points.orientation(ring[edges][None], ends[edges][None], ring[stars, None])
+        stars[stars] = (sides >= 0).all(axis=1)
+    return stars
 
 
 def star_point(points: Points, ring: Indices) -> Floats | None:
@@ -22,8 +30,9 @@ def star_point(points: Points, ring: Indices) -> Floats | None:
     if len(cell) < 3:
         return None
     centre = _centroid(cell)
-    free = np.array([len(points.coordinates)])
-    sides = _sides(points.with_free(centre[None]), ring, free)
+    sides = points.with_free(centre[None]).orientation(
+        ring, np.roll(ring, -1), np.array(len(points.coordinates))
+    )
     return centre if (sides > 0).all() else None
 
 
@@ -35,11 +44,6 @@ def is_star_point(ring: Floats, place: Floats) -> bool:
     normal = np.stack([-edge[:, 1], edge[:, 0]], axis=1) / np.hypot(*edge.T)[:, None]
     inward = (normal * (place - start)).sum(axis=1)
     return bool((inward >= -ROUNDING * np.abs(ring).max()).all())
-
-
-def _sides(points: Points, ring: Indices, viewers: Indices) -> Signs:
-    """Tell on which side of each edge each viewer is: 1 inside, 0 on its line, -1 outside."""
-    return points.orientation(ring[None], np.roll(ring, -1)[None], viewers[:, None])
 
 
 def _corners(points: Points, ring: Indices) -> Indices:

@@ -25,6 +25,7 @@ def climb(tiling: Tiling, cell: Piece, task: Task, tried: int = TRIED) -> Tiling
     task.reach(0)
     if tiling.is_star(cell):
         return tiling
+    task.reach(0)
     grounds = _triangulate(tiling, cell)
     cells = least_stuck_cells(links_of(*grounds, task), task.part(0, 0))
     parts = [tuple(cell[v] for v in part) for part in cells]

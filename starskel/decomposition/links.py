@@ -10,14 +10,16 @@ from starskel.visibility import visibility
 
 
 def links_of(source: Triangulation, target: Triangulation, task: Task) -> Links:
-    """Give the links of a pair; a diagonal costs its mean length, each in the size of its polygon."""
+    """Give the links of a pair; a diagonal costs its lengths, each in the size of its polygon."""
     first, second = visibility(source, task), visibility(target, task)
-    lengths = _lengths(source.vertices) + _lengths(target.vertices)
-    price = lengths / (2 * len(lengths) * lengths.max())
-    return Links(first.sees & second.sees, first.diagonal & second.diagonal, price)
+    return Links(
+        first.sees & second.sees,
+        first.diagonal & second.diagonal,
+        _scaled(source.vertices),
+        _scaled(target.vertices),
+    )
 
 
-def _lengths(ring: Floats) -> Floats:
-    x, y = ring.T / np.ptp(ring, axis=0).max()
-    lengths: Floats = np.hypot(x[:, None] - x, y[:, None] - y)
-    return lengths
+def _scaled(ring: Floats) -> Floats:
+    scaled: Floats = ring / (8 * len(ring) * np.ptp(ring, axis=0).max())
+    return scaled

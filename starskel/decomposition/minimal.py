@@ -29,6 +29,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from starskel.points import Indices
 from starskel.predicates import Floats
 from starskel.task import Task
 from starskel.visibility import Relation
@@ -46,13 +47,19 @@ class Links:
         Pairs of vertices that see each other in both polygons.
     diagonal : (n, n) array of bool
         Diagonals of both polygons.
-    price : (n, n) array
-        What a diagonal costs: its length, scaled so that n of them together cost less than 1/2.
+    source, target : (n, 2) arrays
+        The polygons, scaled so that n diagonals of both together are shorter than 1/2.
     """
 
     sees: Relation
     diagonal: Relation
-    price: Floats
+    source: Floats
+    target: Floats
+
+    def price(self, i: Indices, j: Indices) -> Floats:
+        """Give what diagonals cost: their lengths in both polygons."""
+        lengths = [np.hypot(*(side[i] - side[j]).T) for side in (self.source, self.target)]
+        return np.asarray(lengths[0] + lengths[1])
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,7 +84,7 @@ def minimal_pieces(links: Links, task: Task) -> list[Piece] | None:
         If the task is told to stop.
     """
     n = len(links.sees)
-    f, left, right = (np.full((n, n), np.inf) for _ in range(3))
+    f, left, right = (_table(n, task) for _ in range(3))
     tables = _fill(_Tables(f, left, right, None), links, task)
     return _pieces(tables, links) if np.isfinite(f[0, n - 1]) else None
 
@@ -85,8 +92,13 @@ def minimal_pieces(links: Links, task: Task) -> list[Piece] | None:
 def least_stuck_cells(links: Links, task: Task) -> list[Piece]:
     """Give star pieces and stuck cells that tile both polygons, the stuck cells as small as can be."""
     n = len(links.sees)
-    f, left, right, chain = (np.full((n, n), np.inf) for _ in range(4))
+    f, left, right, chain = (_table(n, task) for _ in range(4))
     return _pieces(_fill(_Tables(f, left, right, chain), links, task), links)
+
+
+def _table(n: int, task: Task) -> Floats:
+    task.reach(0)
+    return np.full((n, n), np.inf)
 
 
 def _fill(tables: _Tables, links: Links, task: Task) -> _Tables:
@@ -117,7 +129,8 @@ def _fill_span(tables: _Tables, links: Links, span: int) -> None:
         every = np.arange(len(links.sees) - span)
         chain = _least(tables.f, tables.chain, every, span)
         cost = np.minimum(cost, chain[linked] + len(links.sees))
-    cost += links.price[linked, linked + span]
+    if span < len(links.sees) - 1:
+        cost += links.price(linked, linked + span)
     _set(tables.f, linked, span, cost)
     for table in (tables.left, tables.right):  # every diagonal is seen
         _set(table, linked, span, np.minimum(table[linked, linked + span], cost))

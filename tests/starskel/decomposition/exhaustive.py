@@ -3,12 +3,17 @@
 from itertools import pairwise
 
 
-def fewest_pieces(sees, diagonal) -> int | None:
-    """The least number of star pieces of two polygons, over all ways to cut with common diagonals."""
-    n = len(sees)
-    cuts = [(i, j) for i in range(n) for j in range(i + 2, n) if diagonal[i, j]]
-    ways = (pieces for chosen in crossing_free(cuts) if (pieces := cut(tuple(range(n)), chosen)))
-    return min((len(pieces) for pieces in ways if all(is_star(sees, p) for p in pieces)), default=None)
+def fewest_pieces(links) -> tuple[int, float] | None:
+    """The least number of star pieces, and the least price of the cuts that make so many."""
+    n = len(links.sees)
+    cuts = [(i, j) for i in range(n) for j in range(i + 2, n) if links.diagonal[i, j]]
+    ways = ((chosen, cut(tuple(range(n)), chosen)) for chosen in crossing_free(cuts))
+    stars = ((len(p), price(links, c)) for c, p in ways if all(is_star(links.sees, piece) for piece in p))
+    return min(stars, default=None)
+
+
+def price(links, chosen) -> float:
+    return sum(float(links.price([i], [j])[0]) for i, j in chosen)
 
 
 def crossing_free(cuts, chosen=()):

@@ -7,7 +7,7 @@ from starskel.points import points_of
 from starskel.task import Task
 from starskel.triangulation import triangulate
 from tests.families import related, turned, two_opt
-from tests.starskel.decomposition.exhaustive import fewest_pieces, pairs_of_ring
+from tests.starskel.decomposition.exhaustive import fewest_pieces, pairs_of_ring, price
 
 
 def links(source, target):
@@ -25,11 +25,38 @@ def pair(kind, seed):
 
 
 @pytest.mark.parametrize("kind", ["random", "grid", "wide grid", "related", "one shape"])
-def test_the_count_equals_that_of_exhaustive_search(kind):
+def test_the_fewest_pieces_and_the_shortest_cuts_are_those_of_exhaustive_search(kind):
     for seed in range(80):
         common = links(*pair(kind, seed))
         pieces = minimal_pieces(common, Task())
-        assert (pieces and len(pieces)) == fewest_pieces(common.sees, common.diagonal), seed
+        expected = fewest_pieces(common)
+        if expected is None:
+            assert pieces is None, seed
+        else:
+            cuts = set.union(*map(pairs_of_ring, pieces)) - pairs_of_ring(range(len(common.sees)))
+            assert (len(pieces), price(common, cuts)) == pytest.approx(expected, rel=1e-12), seed
+
+
+def triangulable(links) -> bool:
+    """Whether common diagonals triangulate both polygons, by a program of its own."""
+    n = len(links.sees)
+    cut = links.diagonal | np.eye(n, k=1, dtype=bool)
+    cut[0, n - 1] = True
+    done = np.eye(n, k=1, dtype=bool)
+    for span in range(2, n):
+        for i in range(n - span):
+            done[i, i + span] = cut[i, i + span] and (done[i] & done[:, i + span]).any()
+    return bool(done[0, n - 1])
+
+
+@pytest.mark.parametrize("n", [10, 16, 24, 40])
+def test_there_is_a_decomposition_exactly_where_common_diagonals_triangulate(n):
+    answers = set()
+    for seed in range(24):
+        common = links(*related(n, seed, spread=1.0))
+        answers.add(triangulable(common))
+        assert (minimal_pieces(common, Task()) is not None) == triangulable(common), seed
+    assert answers == {True, False}
 
 
 @pytest.mark.parametrize("n", [30, 60])
@@ -43,21 +70,6 @@ def test_pieces_are_bounded_by_links_and_have_a_common_star_vertex(n):
             assert common.sees[np.ix_(piece, piece)].all(axis=1).any()
             inner = pairs_of_ring(piece) - pairs_of_ring(range(n))
             assert all(common.diagonal[a, b] for a, b in inner)
-
-
-def test_among_equally_many_pieces_the_cuts_are_shortest():
-    """A cross of four arms needs three cuts at least; all of them across arms, none along."""
-    ring = np.array(
-        [(4, 0), (5, 0), (5, 4), (9, 4), (9, 5), (5, 5), (5, 9), (4, 9), (4, 5), (0, 5), (0, 4), (4, 4)]
-    )
-    bent = ring + 0.0
-    bent[[0, 1]] += (2, 0)
-    common = links(ring.astype(float), bent)
-    pieces = minimal_pieces(common, Task())
-    assert pieces is not None
-    cost = sum(common.price[a, b] for p in pieces for a, b in pairs_of_ring(p) - pairs_of_ring(range(12)))
-    longest = np.sort(common.price[common.diagonal])[-1]
-    assert cost < longest * len(pieces)
 
 
 @pytest.mark.parametrize("seed", range(5))
