@@ -21,15 +21,15 @@ Indices = NDArray[np.intp]
 
 @dataclass(frozen=True, eq=False)
 class Points:
-    """The vertices of a ring, followed by any number of free points.
+    """The vertices of a ring, followed by any number of further points.
 
     Attributes
     ----------
     coordinates : (m, 2) array
     start, end : (m,) arrays of int
-        The corners between which a rounded vertex lies; every other point names itself twice.
+        The points between which a rounded point lies; every other point names itself twice.
     share : (m,) array
-        The share of the way from start to end, inside (0, 1) for rounded vertices.
+        The share of the way from start to end, inside (0, 1) for rounded points.
     """
 
     coordinates: Floats
@@ -53,6 +53,16 @@ class Points:
             np.concatenate([self.share, np.zeros(len(coordinates))]),
         )
 
+    def with_on_chord(self, start: int, end: int, share: Floats) -> "Points":
+        """Give these points followed by others exactly on the chord of two of them, at (k,) shares."""
+        first, last = self.coordinates[start], self.coordinates[end]
+        return Points(
+            np.concatenate([self.coordinates, (1 - share)[:, None] * first + share[:, None] * last]),
+            np.concatenate([self.start, np.full(len(share), start)]),
+            np.concatenate([self.end, np.full(len(share), end)]),
+            np.concatenate([self.share, share]),
+        )
+
     def orientation(self, i: Indices, j: Indices, k: Indices) -> Signs:
         """Tell whether the turn from point i over j to k is left (1), right (-1) or none (0), exactly."""
         rounded = self.rounded
@@ -70,28 +80,28 @@ class Points:
         a = self.coordinates[i] - self.coordinates[k]
         b = self.coordinates[j] - self.coordinates[k]
         determinant = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
-        slack = 2 * ROUNDING * np.abs(self.coordinates).max()  # of a rounded vertex, in each coordinate
+        slack = 2 * ROUNDING * np.abs(self.coordinates).max()  # of a rounded point, in each coordinate
         bound = 4 * slack * (np.abs(a).sum(axis=1) + np.abs(b).sum(axis=1) + slack)
         signs = np.sign(determinant).astype(np.int8)
         undecided = np.abs(determinant) <= bound
         if undecided.any():
-            signs[undecided] = self._by_corners(i[undecided], j[undecided], k[undecided])
+            signs[undecided] = self._by_ends(i[undecided], j[undecided], k[undecided])
         return signs
 
-    def _by_corners(self, i: Indices, j: Indices, k: Indices) -> Signs:
-        """Decide from the turns of the corners: a determinant is a positive mean of theirs."""
+    def _by_ends(self, i: Indices, j: Indices, k: Indices) -> Signs:
+        """Decide from the turns of the chords' ends: a determinant is a positive mean of theirs."""
         ends = [(self.start[p], self.end[p]) for p in (i, j, k)]
-        turns = np.stack([self._turn_of_corners(*corners) for corners in product(*ends)])
+        turns = np.stack([self._turn_of_ends(*chosen) for chosen in product(*ends)])
         low, high = turns.min(axis=0), turns.max(axis=0)
         signs: Signs = np.where(low >= 0, high, low)
         for p in np.flatnonzero((low < 0) & (high > 0)):
             signs[p] = self._by_fractions(int(i[p]), int(j[p]), int(k[p]))
         return signs
 
-    def _turn_of_corners(self, i: Indices, j: Indices, k: Indices) -> Signs:
+    def _turn_of_ends(self, i: Indices, j: Indices, k: Indices) -> Signs:
         turns = np.zeros(len(i), dtype=np.int8)
         different = (i != j) & (j != k) & (k != i)
-        turns[different] = orientation(*(self.coordinates[p[different]] for p in (i, j, k)))
+        turns[different] = self.orientation(*(p[different] for p in (i, j, k)))  # an end may be rounded, too
         return turns
 
     def _by_fractions(self, i: int, j: int, k: int) -> int:
@@ -100,12 +110,12 @@ class Points:
         return (determinant > 0) - (determinant < 0)
 
     def _exact(self, i: int) -> tuple[Fraction, Fraction]:
-        share = Fraction(float(self.share[i]))
-        start, end = self.coordinates[self.start[i]], self.coordinates[self.end[i]]
-        x, y = (
-            (1 - share) * Fraction(float(a)) + share * Fraction(float(b))
-            for a, b in zip(start, end, strict=True)
-        )
+        if self.start[i] == self.end[i]:
+            x, y = (Fraction(float(c)) for c in self.coordinates[i])
+        else:
+            share = Fraction(float(self.share[i]))
+            ends = self._exact(int(self.start[i])), self._exact(int(self.end[i]))
+            x, y = ((1 - share) * a + share * b for a, b in zip(*ends, strict=True))
         return x, y
 
 

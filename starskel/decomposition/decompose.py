@@ -10,29 +10,37 @@ from starskel.decomposition.minimal import Piece, minimal_pieces
 from starskel.decomposition.pieces import Decomposition
 from starskel.decomposition.reduce import reduce
 from starskel.decomposition.tiling import Tiling
-from starskel.errors import NoDecomposition
+from starskel.decomposition.transfer import transfer
+from starskel.errors import NoDecomposition, StarskelError
 from starskel.points import points_of
 from starskel.predicates import Floats
 from starskel.task import Progress, ShouldStop, Task
 from starskel.triangulation import triangulate
 
+ALGORITHMS = ("minimal", "convex")
+
 
 def decompose(
     pair: Correspondence,
     *,
+    algorithm: str = "minimal",
     steiner: bool = True,
     progress: Progress | None = None,
     should_stop: ShouldStop | None = None,
 ) -> Decomposition:
     """Cut both polygons of a pair into compatible star pieces (paper, section 2.4.1).
 
-    Where no Steiner vertices are needed the pieces are as few as can be, and of the decompositions with so
-    few pieces it is the one with the shortest cuts. Elsewhere Steiner vertices are placed, few of them.
+    The paper has two algorithms. By "minimal", where no Steiner vertices are needed the pieces are as few as
+    can be, and of the decompositions with so few pieces it is the one with the shortest cuts. Elsewhere
+    Steiner vertices are placed, few of them. By "convex" a convex decomposition of one polygon is carried
+    over to the other and refined, with Steiner vertices where a cut has to go round a corner.
 
     Parameters
     ----------
     pair : Correspondence
         Two simple polygons of equal count.
+    algorithm : str
+        "minimal" or "convex".
     steiner : bool
         Whether Steiner vertices are allowed.
     progress : callable, optional
@@ -43,27 +51,47 @@ def decompose(
     Raises
     ------
     NoDecomposition
-        If Steiner vertices are needed and not allowed.
+        If the algorithm needs Steiner vertices and they are not allowed.
+    StarskelError
+        If there is no algorithm of that name.
     Cancelled
         If `should_stop` answered True.
     """
+    if algorithm not in ALGORITHMS:
+        raise StarskelError(f"there is no algorithm {algorithm!r}", f"take one of {', '.join(ALGORITHMS)}")
     task = Task(progress, should_stop)
     task.reach(0)
     whole = tuple(range(len(pair.source)))
     tiling = Tiling(points_of(pair.source), points_of(pair.target), (whole,))
+    tiling = (_minimal if algorithm == "minimal" else _convex)(tiling, whole, steiner, task)
+    task.reach(1)
+    return _finished(pair, tiling)
+
+
+def _minimal(tiling: Tiling, whole: Piece, steiner: bool, task: Task) -> Tiling:
     pieces = _fewest(tiling, whole, task.part(0, 0.5))
     if pieces is not None:
-        tiling = tiling.replace(whole, pieces)
-    elif steiner:
-        tiling = climb(tiling, whole, task.part(0.5, 0.9))
-        tiling = reduce(tiling, len(whole), task.part(0.9, 1))
-    else:
+        return tiling.replace(whole, pieces)
+    if not steiner:
         raise NoDecomposition(
             "the two polygons have no compatible star decomposition without Steiner vertices",
             "allow Steiner vertices, or change the marks",
         )
-    task.reach(1)
-    return _finished(pair, tiling)
+    tiling = climb(tiling, whole, task.part(0.5, 0.9))
+    return reduce(tiling, len(whole), task.part(0.9, 1))
+
+
+def _convex(tiling: Tiling, whole: Piece, steiner: bool, task: Task) -> Tiling:
+    if tiling.is_star(whole):
+        return tiling
+    tiling = transfer(tiling, whole, task.part(0, 0.9))
+    tiling = reduce(tiling, len(whole), task.part(0.9, 1))
+    if not steiner and any(v >= len(whole) for piece in tiling.pieces for v in piece):
+        raise NoDecomposition(
+            "the convex pieces of neither polygon can be carried over without Steiner vertices",
+            'allow Steiner vertices, or take the algorithm "minimal"',
+        )
+    return tiling
 
 
 def _fewest(tiling: Tiling, whole: Piece, task: Task) -> list[Piece] | None:

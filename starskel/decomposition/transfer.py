@@ -1,0 +1,116 @@
+"""The paper's second algorithm: convex pieces of one polygon are carried over to the other (section 2.4.1).
+
+The polygon that falls into fewer convex pieces is cut into them along diagonals. Each diagonal is drawn into
+the other polygon as a path with few links, inside the part that it cuts, so that paths do not cross. The
+bends are Steiner vertices; in the first polygon they stand on the diagonal. Then every part is convex in the
+one polygon, where every vertex sees all, and it remains to cut it into star pieces in the other.
+
+A path is never longer than needed. So two of its vertices see each other in the other polygon only if they
+are next to each other, and no piece has all its vertices on one diagonal, where it would have no area. Only
+runs of straight vertices of the ring itself can lead there; parts which that leaves stuck are climbed.
+
+A path has O(n) links: it can run along the ring, or along paths drawn before, of which each adds a few links
+at most, as it is itself as short as can be. That is O(n^2) Steiner vertices for the O(n) diagonals.
+"""
+
+import numpy as np
+
+from starskel.decomposition.convex import Cut, convex_cuts
+from starskel.decomposition.ladder import climb
+from starskel.decomposition.minimal import Piece
+from starskel.decomposition.paths import bends_between
+from starskel.decomposition.tiling import Tiling
+from starskel.predicates import Floats
+from starskel.task import Task
+from starskel.triangulation import Triangulation, triangulate
+from starskel.visibility import Relation, visibility
+
+
+def transfer(tiling: Tiling, whole: Piece, task: Task) -> Tiling:
+    """Replace the whole of two polygons by star pieces that respect a convex decomposition of one of them.
+
+    Raises
+    ------
+    Cancelled
+        If the task is told to stop.
+    """
+    cuts, swap = _fewer_cuts(tiling, whole, task.part(0, 0.3))
+    if swap:
+        tiling = _swapped(tiling)
+    tiling = _draw(tiling, whole, cuts, task.part(0.3, 0.7))
+    parts = tiling.pieces
+    for at, part in enumerate(parts):
+        done = 0.7 + 0.3 * at / len(parts)
+        tiling = climb(tiling, part, task.part(done, done))
+    return _swapped(tiling) if swap else tiling
+
+
+def _fewer_cuts(tiling: Tiling, whole: Piece, task: Task) -> tuple[list[Cut], bool]:
+    """Give the cuts of the polygon that needs fewer, and whether that is the target."""
+    ring = np.array(whole)
+    grounds = [triangulate(side, ring) for side in (tiling.source, tiling.target)]
+    seen = [visibility(ground, task) for ground in grounds]
+    cuts = [
+        convex_cuts(
+            grounds[i], seen[i], _price(grounds[i], seen[1 - i].diagonal), task.part(i / 2, i / 2 + 0.5)
+        )
+        for i in (0, 1)
+    ]
+    swap = len(cuts[1]) < len(cuts[0])
+    return cuts[swap], swap
+
+
+def _price(ground: Triangulation, free: Relation) -> Floats:
+    """Prefer diagonals that are diagonals of the other polygon as well, then short ones."""
+    n = len(ground.ring)
+    x, y = ground.vertices.T
+    length = np.hypot(x[:, None] - x, y[:, None] - y)
+    price: Floats = (np.where(free, 0, n) + length / length.max()) / (2 * n * (n + 1))
+    return price
+
+
+def _draw(tiling: Tiling, whole: Piece, cuts: list[Cut], task: Task) -> Tiling:
+    """Cut a ring of both polygons along diagonals of the source, drawn into the target as paths.
+
+    The diagonal that halves a part best is drawn first: paths through one corridor then share it evenly.
+    """
+    waiting = [(whole, cuts)]
+    drawn = 0
+    while waiting:
+        part, inner = waiting.pop()
+        if not inner:
+            continue
+        done = drawn / len(cuts)
+        drawn += 1
+        chosen = min(inner, key=lambda cut: (_imbalance(part, cut), cut))
+        inner = [cut for cut in inner if cut != chosen]
+        cut = _cut(tiling, part, chosen, task.part(done, done))
+        if cut is None:
+            waiting.append((part, inner))
+            continue
+        tiling, halves = cut
+        waiting += [(half, [c for c in inner if c[0] in half and c[1] in half]) for half in halves]
+    return tiling
+
+
+def _imbalance(part: Piece, cut: Cut) -> int:
+    return abs(2 * (part.index(cut[1]) - part.index(cut[0])) - len(part))
+
+
+def _cut(tiling: Tiling, part: Piece, cut: Cut, task: Task) -> tuple[Tiling, tuple[Piece, Piece]] | None:
+    """Cut a part in two; None where the target is too narrow for a path."""
+    start, end = (part.index(v) for v in cut)
+    bends = bends_between(tiling.target, np.array(part), start, end, task)
+    if bends is None:
+        return None
+    count = len(tiling.source.coordinates)
+    between = tuple(range(count, count + len(bends)))
+    share = np.arange(1, len(bends) + 1) / (len(bends) + 1)
+    halves = (*part[start : end + 1], *between[::-1]), (*part[: start + 1], *between, *part[end:])
+    pieces = tuple(piece for piece in tiling.pieces if piece != part)
+    source, target = tiling.source.with_on_chord(*cut, share), tiling.target.with_free(bends)
+    return Tiling(source, target, (*pieces, *halves)), halves
+
+
+def _swapped(tiling: Tiling) -> Tiling:
+    return Tiling(tiling.target, tiling.source, tiling.pieces)
