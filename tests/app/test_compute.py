@@ -39,11 +39,13 @@ def slow(monkeypatch: pytest.MonkeyPatch) -> dict[str, threading.Event]:
 
     def slow_blend(pair, *, method, decomposition, progress, should_stop):  # type: ignore[no-untyped-def]
         events["begun"].set()
-        while not events["go"].wait(0.005):
+        for _ in range(1000):
             if should_stop():
                 events["stopped"].set()
                 raise Cancelled
-        return blend(pair, method=method)
+            if events["go"].wait(0.005):
+                return blend(pair, method=method)
+        raise AssertionError("neither let go nor told to stop")
 
     monkeypatch.setattr(compute, "blend", slow_blend)
     return events

@@ -65,6 +65,15 @@ def test_a_click_on_the_slider_and_on_the_chart_goes_there(arm: Driver) -> None:
             assert arm.window.player.t == pytest.approx(share, abs=0.005)
 
 
+def test_the_chart_shows_the_newest_blends(arm: Driver) -> None:
+    chart = arm.window.timeline.chart
+    arm.window.player.seek(0.5)
+    before = chart.grab().toImage()
+    arm.session.show_project(example("ribbon"))
+    arm.wait_for_blends()
+    assert chart.grab().toImage() != before
+
+
 def test_chart_and_slider_have_one_scale(arm: Driver) -> None:
     slider, chart = arm.window.timeline.slider, arm.window.timeline.chart
     assert slider.width() == chart.width()
