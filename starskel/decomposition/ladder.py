@@ -12,16 +12,23 @@ from starskel.decomposition.fan import Fan, fans
 from starskel.decomposition.links import links_of
 from starskel.decomposition.minimal import Piece, least_stuck_cells
 from starskel.decomposition.overlay import crossings, overlay
+from starskel.decomposition.reduce import reduce
 from starskel.decomposition.tiling import Tiling
 from starskel.task import Task
 from starskel.triangulation import Grounds, triangulate
 
-TRIED = 4
-"""Places of a Steiner vertex that are tried to the end before one is chosen."""
+MOST_TRIED = 6
+"""Places of a Steiner vertex that are tried to the end before one is chosen, in small cells."""
+
+TRIED_VERTICES = 80
+"""In larger cells as many places are tried as have so many vertices together, but two at least."""
 
 
-def climb(tiling: Tiling, cell: Piece, task: Task, tried: int = TRIED) -> Tiling:
-    """Replace a cell by pieces that are star-shaped in both polygons, with few Steiner vertices."""
+def climb(tiling: Tiling, cell: Piece, task: Task, *, trying: bool = True) -> Tiling:
+    """Replace a cell by pieces that are star-shaped in both polygons, with few Steiner vertices.
+
+    Where `trying`, several places of the first Steiner vertex are compared.
+    """
     task.reach(0)
     if tiling.is_star(cell):
         return tiling
@@ -33,16 +40,20 @@ def climb(tiling: Tiling, cell: Piece, task: Task, tried: int = TRIED) -> Tiling
     for at, part in enumerate(parts):
         if not tiling.is_star(part):
             ground = grounds if len(part) == len(cell) else _triangulate(tiling, part)
-            tiling = _free(tiling, part, ground, task.part(at / len(parts), 1), tried)
+            inner = _free(tiling.only(part), ground, task.part(at / len(parts), 1), trying)
+            tiling = tiling.refined(part, inner)
     return tiling
 
 
-def _free(tiling: Tiling, cell: Piece, grounds: Grounds, task: Task, tried: int) -> Tiling:
-    """Replace a stuck cell."""
+def _free(tiling: Tiling, grounds: Grounds, task: Task, trying: bool) -> Tiling:
+    """Tile a stuck cell, the only piece of a tiling."""
+    (cell,) = tiling.pieces
+    tried = max(2, min(MOST_TRIED, TRIED_VERTICES // len(cell))) if trying else 1
     filled = [_fill(fan, task) for fan in fans(tiling, cell, grounds, tried, task)]
+    if trying:
+        filled = [reduce(found, len(tiling.source.coordinates), task) for found in filled]
     best = min(filled, key=Tiling.cost, default=None)
-    needed = len(tiling.source.coordinates) + crossings(*grounds)
-    if best is None or needed < best.cost()[0]:
+    if best is None or len(cell) + crossings(*grounds) < best.cost()[0]:
         return overlay(tiling, cell, *grounds)
     return best
 
@@ -50,7 +61,7 @@ def _free(tiling: Tiling, cell: Piece, grounds: Grounds, task: Task, tried: int)
 def _fill(fan: Fan, task: Task) -> Tiling:
     tiling = fan.tiling
     for pocket in fan.pockets:
-        tiling = climb(tiling, pocket, task.part(0, 0), tried=1)
+        tiling = climb(tiling, pocket, task.part(0, 0), trying=False)
     return tiling
 
 

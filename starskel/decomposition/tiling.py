@@ -30,8 +30,8 @@ class Tiling:
     pieces: tuple[Piece, ...]
 
     def cost(self) -> tuple[int, int]:
-        """Give the price of this tiling: vertices, Steiner ones among them, then pieces."""
-        return len(self.source.coordinates), len(self.pieces)
+        """Give the price of this tiling: the vertices it uses, Steiner ones among them, then its pieces."""
+        return len({vertex for piece in self.pieces for vertex in piece}), len(self.pieces)
 
     def replace(
         self, piece: Piece, pieces: Sequence[Piece], source: Floats = NOWHERE, target: Floats = NOWHERE
@@ -39,6 +39,15 @@ class Tiling:
         """Put pieces in the place of one, and add Steiner vertices at (k, 2) places in source and target."""
         rest = tuple(other for other in self.pieces if other != piece)
         return Tiling(self.source.with_free(source), self.target.with_free(target), (*rest, *pieces))
+
+    def only(self, piece: Piece) -> "Tiling":
+        """Give one piece alone, over the same points."""
+        return Tiling(self.source, self.target, (piece,))
+
+    def refined(self, piece: Piece, inner: "Tiling") -> "Tiling":
+        """Put a tiling of a piece in its place; its points are these and more."""
+        rest = tuple(other for other in self.pieces if other != piece)
+        return Tiling(inner.source, inner.target, (*rest, *inner.pieces))
 
     def is_star(self, piece: Piece) -> bool:
         """Tell whether a simple ring of vertices has a common star vertex, or kernels with an inside."""

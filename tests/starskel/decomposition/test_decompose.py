@@ -3,7 +3,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from starskel.correspondence import Correspondence
+from starskel.correspondence import Correspondence, match
 from starskel.decomposition import Decomposition, decompose
 from starskel.decomposition.ladder import climb
 from starskel.decomposition.minimal import Piece
@@ -92,11 +92,7 @@ def test_source_and_target_may_be_swapped(pair):
 
 
 def test_pairs_of_files_are_decomposed_without_fault(shape_pair):
-    source, target = shape_pair.source.vertices, shape_pair.target.vertices
-    n = min(len(source), len(target))
-    if n > 200:
-        pytest.skip("covered by the benchmarks")
-    check(paired(source, source))
+    check(match(shape_pair.source, shape_pair.target, shape_pair.marks))
 
 
 def test_equal_input_gives_equal_output(pair):
