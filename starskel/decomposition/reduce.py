@@ -33,7 +33,8 @@ class _Reduction:
         self._tiling = tiling
         self._n = n
         self._task = task
-        self._known: dict[Piece, bool] = {}
+        self._stars: dict[Piece, bool] = {}
+        self._pieces: dict[Piece, bool] = {}
 
     def merge(self) -> bool:
         """Merge neighbours while the union is a star piece, across the longest edges first."""
@@ -43,7 +44,7 @@ class _Reduction:
             if first not in self.pieces or second not in self.pieces:
                 continue
             whole = union(first, second)
-            if whole is not None and self._holds(whole):
+            if whole is not None and self._is_star(whole):
                 self.pieces.remove(first)
                 self.pieces[self.pieces.index(second)] = whole
                 merged = True
@@ -59,23 +60,27 @@ class _Reduction:
         around = [piece for piece in self.pieces if vertex in piece]
         for neighbour in sorted({v for piece in around for v in _neighbours(piece, vertex)}):
             shrunk = [_renamed(piece, vertex, neighbour) for piece in around]
-            if None not in shrunk and all(self._holds(piece) for piece in shrunk if piece):
+            if None not in shrunk and all(self._is_piece(piece) for piece in shrunk if piece):
                 self.pieces = [piece for piece in self.pieces if vertex not in piece]
                 self.pieces += [piece for piece in shrunk if piece]
                 return True
         return False
 
-    def _holds(self, piece: Piece) -> bool:
-        """Tell whether a ring of vertices is a star piece in both polygons."""
-        if piece not in self._known:
-            self._known[piece] = _is_ring(self._tiling, piece) and self._tiling.is_star(piece)
-        return self._known[piece]
+    def _is_star(self, piece: Piece) -> bool:
+        if piece not in self._stars:
+            self._stars[piece] = self._tiling.is_star(piece)
+        return self._stars[piece]
 
-
-def _is_ring(tiling: Tiling, piece: Piece) -> bool:
-    """Tell whether a ring of vertices is simple and counter-clockwise in both polygons."""
-    rings = [side.coordinates[list(piece)] for side in (tiling.source, tiling.target)]
-    return all(signed_area(ring) > 0 and not len(crossing_edges(ring)) for ring in rings)
+    def _is_piece(self, piece: Piece) -> bool:
+        """Tell whether a ring of vertices is simple, counter-clockwise and star-shaped in both polygons."""
+        if piece not in self._pieces:
+            rings = [side.coordinates[list(piece)] for side in (self._tiling.source, self._tiling.target)]
+            self._pieces[piece] = (
+                all(signed_area(ring) > 0 for ring in rings)
+                and self._is_star(piece)
+                and not any(len(crossing_edges(ring)) for ring in rings)  # last, as it takes longest
+            )
+        return self._pieces[piece]
 
 
 def _neighbours(piece: Piece, vertex: int) -> tuple[int, int]:
