@@ -6,15 +6,25 @@ still delivers carries an old generation and is dropped.
 """
 
 import traceback
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 from PySide6.QtCore import QObject, QThread, Signal, Slot
 
 from app.model.marks import Marks
 from starskel import Blend, Correspondence, Decomposition, Report, blend, match, measure
 from starskel.errors import Cancelled, StarskelError
 from starskel.polygon import Polygon
+from starskel.predicates import Floats
+
+AT_ONCE = 1 << 13
+"""So many points of frames are computed between two questions whether to stop."""
+
+SAMPLES = np.linspace(0, 1, 21)
+"""The moments that count for the box of a blend."""
 
 
 @dataclass(frozen=True)
@@ -42,11 +52,21 @@ class Request:
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """A blend and what was measured of it."""
+    """A blend and what was measured of it.
+
+    Attributes
+    ----------
+    method : str
+    blend : Blend
+    report : Report
+    box : (2, 2) array
+        The lower left and the upper right corner of all frames.
+    """
 
     method: str
     blend: Blend
     report: Report
+    box: Floats
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,7 +150,8 @@ class Job:
             self._report(method, 0.0)
             made = self._blend(method)
             self._report(method, 1.0)
-            return Result(method, made, measure(made))
+            watched = Watched(made, self._go_on)
+            return Result(method, made, measure(watched), _box(watched))
         except Cancelled:
             raise
         except Exception as error:  # whatever it is, the window shows it; the thread lives on
@@ -152,18 +173,49 @@ class Job:
         self._decomposition = made.decomposition or self._decomposition
         return made
 
+    def _go_on(self) -> None:
+        if self._is_old():
+            raise Cancelled
+
     def _is_old(self) -> bool:
         return self._worker.newest != self._request.generation
 
     def _report(self, method: str, fraction: float) -> None:
         """Report whole percents of the request; the library may call far more often."""
-        if self._is_old():
-            raise Cancelled
+        self._go_on()
         methods = self._request.methods
         percent = int(100 * (methods.index(method) + fraction) / len(methods))
         if percent != self._percent:
             self._percent = percent
             self._worker.progressed.emit(self._request.generation, method, percent / 100)
+
+
+class Watched(Blend):
+    """A blend whose frames come a few at a time, so that whoever measures it can be stopped.
+
+    `go_on` is called between them and raises where it should not go on.
+    """
+
+    def __init__(self, whole: Blend, go_on: Callable[[], None]) -> None:
+        super().__init__(whole.pair)
+        self._whole = whole
+        self._go_on = go_on
+
+    def negative_lengths(self, ts: ArrayLike) -> NDArray[np.bool_]:
+        return self._whole.negative_lengths(ts)
+
+    def _frames(self, ts: Floats) -> Floats:
+        step = max(1, AT_ONCE // len(self.pair))
+        return np.concatenate([self._some(ts[k : k + step]) for k in range(0, len(ts), step)])
+
+    def _some(self, ts: Floats) -> Floats:
+        self._go_on()
+        return self._whole.frames(ts)
+
+
+def _box(blended: Blend) -> Floats:
+    points = blended.frames(SAMPLES).reshape(-1, 2)
+    return np.array([points.min(axis=0), points.max(axis=0)])
 
 
 class Computer(QObject):

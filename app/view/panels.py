@@ -8,13 +8,9 @@ from app.session import Session
 from app.view.display import Display
 from app.view.panel import Panel
 from app.view.player import Player
-from starskel.blending.frames import Blend
 from starskel.predicates import Floats
 
 LONGEST_ROW = 4
-
-SAMPLES = np.linspace(0, 1, 21)
-"""The moments that count for the view which all frames must fit into."""
 
 
 class Panels(QWidget):
@@ -26,7 +22,6 @@ class Panels(QWidget):
         self._player = player
         self._display = display
         self._panels: dict[str, Panel] = {}
-        self._extents: dict[Blend, Floats] = {}
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(10, 4, 10, 0)
         self._grid.setSpacing(10)
@@ -63,13 +58,7 @@ class Panels(QWidget):
             panel.follow(extent)
 
     def _extent(self) -> Floats:
-        """Give the corners of the boxes of all blends; a blend is sampled once, when it comes."""
-        blends = [state.result.blend for state in self._session.results.values() if state.result is not None]
-        known = self._extents
-        self._extents = {each: known[each] if each in known else _box(each) for each in blends}
-        return np.concatenate([np.empty((0, 2)), *self._extents.values()])
-
-
-def _box(blend: Blend) -> Floats:
-    points = blend.frames(SAMPLES).reshape(-1, 2)
-    return np.array([points.min(axis=0), points.max(axis=0)])
+        """Give the corners of the boxes of all blends."""
+        shown = self._session.results.values()
+        boxes = [state.result.box for state in shown if state.result is not None]
+        return np.concatenate([np.empty((0, 2)), *boxes])

@@ -1,5 +1,6 @@
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from app.compute import Result
@@ -15,7 +16,7 @@ def results() -> list[Result]:
     assert project.target is not None
     pair = match(project.source, project.target, project.marks)
     blends = {method: blend(pair, method=method) for method in ("vertex", "edge-angle")}
-    return [Result(method, made, measure(made)) for method, made in blends.items()]
+    return [Result(method, made, measure(made), np.zeros((2, 2))) for method, made in blends.items()]
 
 
 @pytest.mark.parametrize(
