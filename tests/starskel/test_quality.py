@@ -113,5 +113,5 @@ def test_too_few_frames_are_refused(frames):
 
 def test_a_frame_that_collapses_into_a_point_is_not_simple():
     square = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
-    report = measure(blend(square, np.roll(square, 2, axis=0), [(0, 0)], method="vertex"))
+    report = measure(VertexBlend(match(square, np.roll(square, 2, axis=0), [(0, 0)])))
     assert report.crossing_times == (0.5,)
