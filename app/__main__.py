@@ -11,7 +11,7 @@ from app.surroundings import what_is_missing
 FAILED = 2
 
 THREAD_LIMITS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS")
-"""Where the libraries under numpy look, when it is loaded, how many threads a product of matrices may take."""
+"""Where numpy, when it is loaded, looks how many threads a product of matrices may take."""
 
 
 def main() -> int:

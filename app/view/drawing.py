@@ -1,12 +1,11 @@
 """Arrays of points as what Qt paints."""
 
-from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 import shiboken6
 from PySide6.QtCore import QLineF, QPointF, Qt
-from PySide6.QtGui import QColor, QPainterPath, QPen, QPolygonF
+from PySide6.QtGui import QColor, QPen, QPolygonF
 
 from starskel.predicates import Floats
 
@@ -23,16 +22,6 @@ def polygon_of(points: Floats) -> QPolygonF:
     memory = _Memory(polygon.data(), 16 * len(points), True)
     np.frombuffer(memory, dtype=np.float64).reshape(-1, 2)[:] = points
     return polygon
-
-
-def path_of(rings: Iterable[Floats]) -> QPainterPath:
-    """Give closed rings as one path, filled by the winding rule so that overlaps do not open holes."""
-    path = QPainterPath()
-    path.setFillRule(Qt.FillRule.WindingFill)
-    for ring in rings:
-        path.addPolygon(polygon_of(ring))
-        path.closeSubpath()
-    return path
 
 
 def point_of(row: Floats) -> QPointF:

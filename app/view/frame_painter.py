@@ -1,12 +1,12 @@
 """One frame of a blend as a panel shows it."""
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter
 
 from app.view.camera import Camera
 from app.view.display import Display
-from app.view.drawing import faded, pen, point_of, polygon_of
+from app.view.drawing import faded, lines_of, pen, point_of, polygon_of
 from app.view.pins import cross_at
 from app.view.theme import Theme
 from starskel.blending.frames import Blend
@@ -68,20 +68,23 @@ class FramePainter:
         skeleton = blend.skeleton
         points = self._camera.to_screen(blend.skeleton_at(t))
         colour = QColor(self._theme.text)
+        starts, ends = np.array(skeleton.arcs, dtype=np.intp).reshape(-1, 2).T
         self._painter.setPen(pen(colour, 2.0))
-        for a, b in skeleton.arcs:
-            self._painter.drawLine(point_of(points[a]), point_of(points[b]))
-        self._painter.setPen(pen(colour, 1.2))
-        self._painter.setBrush(QColor(self._theme.base))
-        origins = len(skeleton.parents)
-        for place in points[origins:]:
-            self._painter.drawRect(QRectF(place[0] - 2.2, place[1] - 2.2, 4.4, 4.4))
-        self._painter.setBrush(colour)
-        for place in points[:origins]:
-            self._painter.drawEllipse(point_of(place), 3.2, 3.2)
+        self._painter.drawLines(lines_of(points[starts], points[ends]))
+        origins, middles = np.split(points, [len(skeleton.parents)])
+        self._paint_dots(origins, colour, 6.4, Qt.PenCapStyle.RoundCap)
+        self._paint_dots(middles, colour, 5.6, Qt.PenCapStyle.SquareCap)
+        self._paint_dots(middles, QColor(self._theme.base), 3.2, Qt.PenCapStyle.SquareCap)
         self._painter.setBrush(Qt.BrushStyle.NoBrush)
         self._painter.setPen(pen(self._theme.accent, 2.2))
         self._painter.drawEllipse(point_of(points[skeleton.root]), 7.0, 7.0)
+
+    def _paint_dots(self, places: np.ndarray, colour: QColor, size: float, cap: Qt.PenCapStyle) -> None:
+        """Paint dots in the shape of a pen's end, all at once: there may be hundreds in each frame."""
+        dots = pen(colour, size)
+        dots.setCapStyle(cap)
+        self._painter.setPen(dots)
+        self._painter.drawPoints(polygon_of(places))
 
     def _paint_crossings(self, frame: Keyframe) -> None:
         """Mark where the frame crosses itself, once for places that would fall on each other."""
