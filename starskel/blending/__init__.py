@@ -2,3 +2,6 @@
 
 METHODS = ("vertex", "edge-angle", "star-skeleton", "stitched", "rigid")
 """The methods by name, the simplest first."""
+
+COMPARED = ("stitched", "rigid", "star-skeleton", "edge-angle", "vertex")
+"""The same in the order in which they are shown side by side: the usual one, then its rivals."""
