@@ -130,7 +130,19 @@ class Session(QObject):
     # commands
 
     def choose_tool(self, name: str) -> None:
-        self._answer(Response(TOOLS[name]()))
+        """Take a tool in hand; the gesture under way is finished first, and goes on where it cannot be."""
+        if self.tool.busy and self.tool.name == name:
+            return
+        if self.finish():
+            self._answer(Response(TOOLS[name]()))
+        else:
+            self.tool_changed.emit()  # the tool chosen is not the one in hand
+
+    def finish(self) -> bool:
+        """End the gesture under way, so that what was drawn is kept; False where that is not possible."""
+        if self.tool.busy:
+            self._answer(self.tool.finish(self._scene()))
+        return not self.tool.busy
 
     def cancel(self) -> None:
         """Give up the nearest thing that can be given up: gesture, notice, computation, selection."""
@@ -144,7 +156,8 @@ class Session(QObject):
             self._answer(Response(self.tool, selection=Selection(self.selection.side)))
 
     def select_all(self, side: Side) -> None:
-        self._answer(Response(SelectTool(), selection=everything(self.document, side)))
+        if self.finish():
+            self._answer(Response(SelectTool(), selection=everything(self.document, side)))
 
     def undo(self) -> None:
         """Take back the last edit, or the last vertex of a path that is being drawn."""

@@ -38,8 +38,10 @@ def signed_areas(rings: Floats) -> Floats:
 
 
 def cross_themselves(rings: Floats) -> Flags:
-    """Tell which of the (k, n, 2) rings cross or touch themselves."""
-    return ~np.asarray(shapely.is_simple(shapely.linearrings(rings)), dtype=np.bool_)
+    """Tell which of the (k, n, 2) rings cross or touch themselves, have equal vertices or are inside out."""
+    simple = np.asarray(shapely.is_simple(shapely.linearrings(rings)), dtype=np.bool_)
+    apart = (edge_lengths(rings) > 0).all(axis=-1)  # shapely takes repeated vertices for one
+    return ~(simple & apart & (signed_areas(rings) > 0))
 
 
 def precedes(first: Floats, second: Floats) -> bool:

@@ -7,9 +7,9 @@ stand where their coordinates say. All decisions are exact in this model, which 
 by less than `ROUNDING`.
 """
 
-from dataclasses import dataclass
-from fractions import Fraction
+from dataclasses import dataclass, field
 from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,6 +36,7 @@ class Points:
     start: Indices
     end: Indices
     share: Floats
+    places: dict[int, "_Place"] = field(default_factory=dict, repr=False)
 
     @property
     def rounded(self) -> NDArray[np.bool_]:
@@ -51,16 +52,18 @@ class Points:
             np.concatenate([self.start, new]),
             np.concatenate([self.end, new]),
             np.concatenate([self.share, np.zeros(len(coordinates))]),
+            dict(self.places),  # the new rows are other points in each copy
         )
 
-    def with_on_chord(self, start: int, end: int, share: Floats) -> "Points":
-        """Give these points followed by others exactly on the chord of two of them, at (k,) shares."""
+    def with_on_chords(self, start: Indices, end: Indices, share: Floats) -> "Points":
+        """Give these points followed by (k,) others exactly on chords, at a share of the way between two."""
         first, last = self.coordinates[start], self.coordinates[end]
         return Points(
             np.concatenate([self.coordinates, (1 - share)[:, None] * first + share[:, None] * last]),
-            np.concatenate([self.start, np.full(len(share), start)]),
-            np.concatenate([self.end, np.full(len(share), end)]),
+            np.concatenate([self.start, start]),
+            np.concatenate([self.end, end]),
             np.concatenate([self.share, share]),
+            dict(self.places),
         )
 
     def orientation(self, i: Indices, j: Indices, k: Indices) -> Signs:
@@ -95,7 +98,7 @@ class Points:
         low, high = turns.min(axis=0), turns.max(axis=0)
         signs: Signs = np.where(low >= 0, high, low)
         for p in np.flatnonzero((low < 0) & (high > 0)):
-            signs[p] = self._by_fractions(int(i[p]), int(j[p]), int(k[p]))
+            signs[p] = self._by_integers(int(i[p]), int(j[p]), int(k[p]))
         return signs
 
     def _turn_of_ends(self, i: Indices, j: Indices, k: Indices) -> Signs:
@@ -104,19 +107,49 @@ class Points:
         turns[different] = self.orientation(*(p[different] for p in (i, j, k)))  # an end may be rounded, too
         return turns
 
-    def _by_fractions(self, i: int, j: int, k: int) -> int:
-        (ax, ay), (bx, by), (cx, cy) = (self._exact(p) for p in (i, j, k))
+    def _by_integers(self, i: int, j: int, k: int) -> int:
+        places = [self._place(p) for p in (i, j, k)]
+        finest = max(place.exponent for place in places)
+        (ax, ay), (bx, by), (cx, cy) = (place.scaled(finest) for place in places)
         determinant = (ax - cx) * (by - cy) - (ay - cy) * (bx - cx)
         return (determinant > 0) - (determinant < 0)
 
-    def _exact(self, i: int) -> tuple[Fraction, Fraction]:
-        if self.start[i] == self.end[i]:
-            x, y = (Fraction(float(c)) for c in self.coordinates[i])
-        else:
-            share = Fraction(float(self.share[i]))
-            ends = self._exact(int(self.start[i])), self._exact(int(self.end[i]))
-            x, y = ((1 - share) * a + share * b for a, b in zip(*ends, strict=True))
-        return x, y
+    def _place(self, i: int) -> "_Place":
+        if i not in self.places:
+            if self.start[i] == self.end[i]:
+                x, y, exponent = _dyadic(self.coordinates[i].tolist())
+                self.places[i] = _Place(x, y, exponent)
+            else:
+                ends = self._place(int(self.start[i])), self._place(int(self.end[i]))
+                self.places[i] = ends[0].towards(ends[1], float(self.share[i]))
+        return self.places[i]
+
+
+class _Place(NamedTuple):
+    """An exact place: integers x and y over 2 to the exponent."""
+
+    x: int
+    y: int
+    exponent: int
+
+    def scaled(self, exponent: int) -> tuple[int, int]:
+        """Give the numerators over a finer power of two."""
+        return self.x << exponent - self.exponent, self.y << exponent - self.exponent
+
+    def towards(self, other: "_Place", share: float) -> "_Place":
+        """Give the place at a share of the way to another."""
+        part, bits = _dyadic([share])
+        whole, finest = 1 << bits, max(self.exponent, other.exponent)
+        (ax, ay), (bx, by) = self.scaled(finest), other.scaled(finest)
+        x, y = ax * (whole - part) + bx * part, ay * (whole - part) + by * part
+        return _Place(x, y, finest + bits)
+
+
+def _dyadic(numbers: list[float]) -> list[int]:
+    """Give floats as integers over one power of two, and behind them its exponent."""
+    ratios = [number.as_integer_ratio() for number in numbers]
+    exponent = max(denominator.bit_length() - 1 for _, denominator in ratios)
+    return [*(n << exponent - d.bit_length() + 1 for n, d in ratios), exponent]
 
 
 def points_of(ring: Floats) -> Points:

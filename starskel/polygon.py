@@ -7,17 +7,22 @@ import shapely
 from numpy.typing import ArrayLike, NDArray
 
 from starskel.errors import InvalidPolygon
-from starskel.predicates import LARGEST, Floats, folds_back, segments_meet
+from starskel.predicates import LARGEST, ROUNDING, Floats, folds_back, segments_meet
+
+CLEARANCE = 4
+"""Roundings of the largest coordinate: so far vertices must stay from edges that they are no end of."""
 
 
 class Polygon:
     """A simple polygon: at least three vertices, no two of them equal, no edges that touch but neighbours.
 
+    Edges that come nearer to each other than `CLEARANCE` roundings of the coordinates count as touching.
+
     A ring given clockwise is turned round, vertex 0 kept first; a last point equal to the first is dropped.
 
     Parameters
     ----------
-    points : (n, 2) array-like, or a shapely Polygon without holes
+    points : (n, 2) array-like, or a shapely Polygon or LinearRing without holes, or a Polygon
         The vertices in order, x right and y up, in the user's units.
 
     Raises
@@ -26,13 +31,14 @@ class Polygon:
         Naming the vertices and the place of the fault.
     """
 
-    def __init__(self, points: ArrayLike | shapely.Polygon) -> None:
+    def __init__(self, points: "ArrayLike | shapely.Geometry | Polygon") -> None:
         given = _as_rows(points)
         _check_numbers(given)
         if len(given) > 3 and np.array_equal(given[0], given[-1]):
             given = given[:-1]
         _check_repeats(given)
         _check_simple(given)
+        _check_clearance(given)
         order = np.arange(len(given))
         if signed_area(given) < 0:
             order = -order % len(given)
@@ -87,14 +93,19 @@ def crossing_edges(ring: Floats) -> NDArray[np.intp]:
     return pairs[np.lexsort(pairs.T[::-1])]
 
 
-def _as_rows(points: ArrayLike | shapely.Polygon) -> Floats:
-    if isinstance(points, shapely.Polygon):
-        if points.interiors:
-            raise InvalidPolygon("the shapely Polygon has holes", "give its exterior alone")
+def _as_rows(points: ArrayLike | shapely.Geometry | Polygon) -> Floats:
+    if isinstance(points, shapely.Polygon) and points.interiors:
+        raise InvalidPolygon("the shapely Polygon has holes", "give its exterior alone")
+    if isinstance(points, Polygon):
+        return points.vertices.copy()
+    if isinstance(points, shapely.Geometry):
         points = shapely.get_coordinates(points)
     try:
-        rows: Floats = np.array(points, dtype=np.float64)
-    except (TypeError, ValueError):
+        given = np.asarray(points)
+        if given.dtype.kind in "cSUMm":  # numpy would read strings and drop imaginary parts
+            raise TypeError
+        rows: Floats = given.astype(np.float64)
+    except (TypeError, ValueError, OverflowError):
         raise InvalidPolygon("the points are not numbers", "give rows of x and y") from None
     if rows.size == 0:
         rows = rows.reshape(0, 2)
@@ -149,6 +160,23 @@ def _check_simple(rows: Floats) -> None:
         vertices=(i, (i + 1) % n, j, (j + 1) % n),
         place=place,
     )
+
+
+def _check_clearance(rows: Floats) -> None:
+    """Refuse vertices so near to other edges that rounding decides on which side they are."""
+    n = len(rows)
+    edges = shapely.linestrings(np.stack([rows, np.roll(rows, -1, axis=0)], axis=1))
+    near = CLEARANCE * ROUNDING * float(np.abs(rows).max())
+    vertex, edge = shapely.STRtree(edges).query(shapely.points(rows), predicate="dwithin", distance=near)
+    foreign = np.flatnonzero((vertex != edge) & (vertex != (edge + 1) % n))
+    if len(foreign):
+        i, j = int(vertex[foreign[0]]), int(edge[foreign[0]])
+        raise InvalidPolygon(
+            f"vertex {i} all but touches edge {j}-{(j + 1) % n} at ({rows[i, 0]:g}, {rows[i, 1]:g})",
+            "move it away from the edge, or move the shape nearer to the coordinates' origin",
+            vertices=(i, j, (j + 1) % n),
+            place=_place(rows[i]),
+        )
 
 
 def _meeting_place(first: Floats, second: Floats) -> tuple[float, float]:

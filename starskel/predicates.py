@@ -20,8 +20,8 @@ UNIT = 2.0**-53
 ROUNDING = 8 * UNIT
 """Coordinates count as known to this part of the largest of them: inserted vertices are rounded."""
 
-LARGEST = 1e150
-"""Products of larger coordinates overflow, those of coordinates all below 1/LARGEST underflow."""
+LARGEST = 1e75
+"""Products of four larger coordinates overflow, those of coordinates all below 1/LARGEST underflow."""
 
 _FILTER = (3 + 16 * UNIT) * UNIT
 _SPLITTER = 2.0**27 + 1

@@ -6,10 +6,11 @@ from typing import ClassVar
 import numpy as np
 
 from app.model.document import Point
-from app.model.marks import Side
+from app.model.marks import Side, other
 from app.model.selection import Selection
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.pick import distance
+from app.tools.select import SelectTool
 from app.tools.tool import (
     Commit,
     Key,
@@ -98,6 +99,10 @@ class Drawing(Tool):
     def cancel(self) -> Tool:
         return DrawTool()
 
+    def finish(self, scene: Scene) -> Response:
+        """Close what is a polygon already: it can be undone, while a path given up would be lost."""
+        return self._close(scene) if len(self.points) >= 3 else Response(self.cancel())
+
     def overlay(self, scene: Scene, side: Side) -> Overlay:
         if side != self.side:
             return Overlay()
@@ -132,7 +137,9 @@ class Drawing(Tool):
         except InvalidPolygon as error:
             return Response(self, refusal=refused_ring(self.side, ring, error))
         commit = Commit(scene.document.draw(self.side, polygon), QT_TRANSLATE_NOOP("Step", "Draw shape"))
-        return Response(DrawTool(), commit, Selection(self.side))
+        # with both shapes there a stray click should not begin to replace one
+        one_is_missing = scene.document.polygon(other(self.side)) is None
+        return Response(DrawTool() if one_is_missing else SelectTool(), commit, Selection(self.side))
 
 
 def crossed_edges(path: Floats, at: Point) -> list[int]:

@@ -150,6 +150,10 @@ class Tool:
         """Give the state after the gesture was given up."""
         return self
 
+    def finish(self, scene: Scene) -> "Response":
+        """End the gesture because the user goes on to something else; by default it is given up."""
+        return Response(self.cancel())
+
     def overlay(self, scene: Scene, side: Side) -> Overlay:
         return Overlay()
 

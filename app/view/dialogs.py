@@ -41,13 +41,39 @@ def path_to_open(parent: QWidget, folder: Path) -> Path | None:
 
 
 def path_to_save(parent: QWidget, title: str, suggested: Path, endings: Sequence[str]) -> Path | None:
-    """Ask where to write a file; a name without an ending gets the one of the chosen kind."""
-    kinds = ";;".join(f"{ending[1:].upper()} (*{ending})" for ending in endings)
-    text, kind = QFileDialog.getSaveFileName(parent, title, str(suggested), kinds)
-    if not text:
-        return None
-    path = Path(text)
-    return path if path.suffix else path.with_suffix(kind[kind.index("*") + 1 : -1])
+    """Ask where to write a file; a name without an ending gets the one of the chosen kind.
+
+    The dialog itself must know the ending: it asks before it lets a file be overwritten.
+    """
+    dialog = SaveDialog(parent, title, suggested, endings)
+    try:
+        accepted = dialog.exec() == QDialog.DialogCode.Accepted
+        return Path(dialog.selectedFiles()[0]) if accepted else None
+    finally:
+        dialog.deleteLater()
+
+
+class SaveDialog(QFileDialog):
+    """Asks where to write a file in one of several formats."""
+
+    def __init__(self, parent: QWidget, title: str, suggested: Path, endings: Sequence[str]) -> None:
+        super().__init__(parent, title, str(suggested.parent))
+        self._endings = {f"{ending[1:].upper()} (*{ending})": ending for ending in endings}
+        self.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        self.setFileMode(QFileDialog.FileMode.AnyFile)
+        self.setNameFilters(list(self._endings))
+        self.setDefaultSuffix(endings[0][1:])
+        self.selectFile(suggested.name)
+        self.filterSelected.connect(self._follow)
+
+    @Slot(str)
+    def _follow(self, kind: str) -> None:
+        """Give the name the ending of the kind that was chosen."""
+        ending = self._endings[kind]
+        self.setDefaultSuffix(ending[1:])
+        chosen = Path(self.selectedFiles()[0])
+        if chosen.suffix in self._endings.values():
+            self.selectFile(chosen.with_suffix(ending).name)
 
 
 def ask_about_changes(parent: QWidget, name: str) -> Answer:
@@ -68,7 +94,8 @@ def complain(parent: QWidget, heading: str, error: StarskelError) -> None:
     """Say what went wrong, where, and how to mend it."""
     box = QMessageBox(parent)
     box.setIcon(QMessageBox.Icon.Warning)
-    box.setWindowTitle(heading)
+    box.setWindowTitle(translate("Dialogs", "Not possible"))
+    box.setTextFormat(Qt.TextFormat.PlainText)
     box.setText(heading)
     sentences = [text[:1].upper() + text[1:] + "." for text in (error.what, error.mend) if text]
     box.setInformativeText("\n\n".join(sentences))

@@ -46,8 +46,9 @@ class Files(QObject):
         return self._session.document.name or self.tr("Untitled")
 
     def may_go(self) -> bool:
-        """Ask about unsaved changes; False where the user would rather stay."""
-        if not self._session.unsaved:
+        """Ask about unsaved changes, a drawing begun among them; False where the user would rather stay."""
+        finished = self._session.finish()
+        if finished and not self._session.unsaved:
             return True
         answer = ask_about_changes(self._window, self.name)
         return self.save() if answer is Answer.SAVE else answer is Answer.DISCARD

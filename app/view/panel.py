@@ -131,6 +131,8 @@ class Panel(QWidget):
         if state.error is not None:
             return words.reason(state.error, self._session.document)
         document = self._session.document
-        if state.result is None and (document.source is None or document.target is None):
+        if state.result is not None or self._session.busy:
+            return ""
+        if document.source is None or document.target is None:
             return self.tr("The in-between shapes appear here as soon as there are a source and a target.")
-        return ""
+        return self.tr("Cancelled. F5 computes it again.")

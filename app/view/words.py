@@ -5,7 +5,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 from app.model.document import Document
 from app.model.marks import Side
 from starskel.correspondence.marks import Mark
-from starskel.errors import InvalidMarks, InvalidPolygon
+from starskel.errors import InvalidMarks, InvalidPolygon, StarskelError
 
 translate = QCoreApplication.translate
 
@@ -58,6 +58,9 @@ def reason(error: Exception, document: Document) -> str:
         return translate("Refusal", "The red edges would cross or touch. Nothing was changed.")
     if isinstance(error, InvalidPolygon) and len(error.vertices) == 2:
         return translate("Refusal", "Two vertices would be at the same place. Nothing was changed.")
+    if not isinstance(error, StarskelError):
+        text = translate("Refusal", "A fault in the program, not in your shapes: {kind}: {error}")
+        return text.format(kind=type(error).__name__, error=error)
     return str(error)
 
 

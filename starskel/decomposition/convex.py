@@ -25,7 +25,7 @@ from starskel.visibility import Visibility
 
 Cut = tuple[int, int]
 
-FEWEST = 250
+FEWEST = 200
 """Up to so many vertices the pieces are the fewest: beyond, the tables of n^3 entries grow too large."""
 
 

@@ -12,6 +12,7 @@ from starskel.decomposition.reduce import reduce
 from starskel.decomposition.tiling import Tiling
 from starskel.decomposition.transfer import transfer
 from starskel.errors import NoDecomposition, StarskelError
+from starskel.outline import precedes
 from starskel.points import points_of
 from starskel.predicates import Floats
 from starskel.task import Progress, ShouldStop, Task
@@ -62,10 +63,27 @@ def decompose(
     task = Task(progress, should_stop)
     task.reach(0)
     whole = tuple(range(len(pair.source)))
-    tiling = Tiling(points_of(pair.source), points_of(pair.target), (whole,))
+    swapped, start = _canonical(pair)
+    source, target = (points_of(np.roll(ring, -start, axis=0)) for ring in (pair.source, pair.target))
+    tiling = Tiling(target, source, (whole,)) if swapped else Tiling(source, target, (whole,))
     tiling = (_minimal if algorithm == "minimal" else _convex)(tiling, whole, steiner, task)
     task.reach(1)
-    return _finished(pair, tiling)
+    return _finished(pair, tiling.swapped() if swapped else tiling, start)
+
+
+def _canonical(pair: Correspondence) -> tuple[bool, int]:
+    """Choose which polygon counts as the source, and which row as the first, by the points alone.
+
+    So a pair is decomposed in one way, whichever of its polygons is the source and whatever row it starts at.
+    """
+    rings = pair.source, pair.target
+    starts = [int(np.lexsort(ring.T[::-1])[0]) for ring in rings]
+    ways = [
+        np.roll(np.concatenate(ordered, axis=1), -start, axis=0)
+        for ordered, start in zip((rings, rings[::-1]), starts, strict=True)
+    ]
+    swapped = precedes(ways[1], ways[0])
+    return swapped, starts[swapped]
 
 
 def _minimal(tiling: Tiling, whole: Piece, steiner: bool, task: Task) -> Tiling:
@@ -102,10 +120,10 @@ def _fewest(tiling: Tiling, whole: Piece, task: Task) -> list[Piece] | None:
     return minimal_pieces(links_of(*grounds, task.part(0, 0)), task)
 
 
-def _finished(pair: Correspondence, tiling: Tiling) -> Decomposition:
-    """Drop the Steiner vertices that no piece uses, and find the origins."""
+def _finished(pair: Correspondence, tiling: Tiling, start: int) -> Decomposition:
+    """Count rows from the pair's own, drop the Steiner vertices that no piece uses, and find the origins."""
     n = len(pair.source)
-    rows = [*range(n), *sorted({v for piece in tiling.pieces for v in piece if v >= n})]
+    rows = [*((v - start) % n for v in range(n)), *sorted({v for p in tiling.pieces for v in p if v >= n})]
     name = {old: new for new, old in enumerate(rows)}
     source, target = (
         np.array(side) for side in zip(*(_origins(tiling, p) for p in tiling.pieces), strict=True)

@@ -77,6 +77,7 @@ class _Reduction:
             rings = [side.coordinates[list(piece)] for side in (self._tiling.source, self._tiling.target)]
             self._pieces[piece] = (
                 all(signed_area(ring) > 0 for ring in rings)
+                and not self._tiling.is_flat(piece)
                 and self._is_star(piece)
                 and not any(len(crossing_edges(ring)) for ring in rings)  # last, as it takes longest
             )

@@ -49,6 +49,16 @@ class Tiling:
         rest = tuple(other for other in self.pieces if other != piece)
         return Tiling(inner.source, inner.target, (*rest, *inner.pieces))
 
+    def swapped(self) -> "Tiling":
+        """Give the tiling with source and target exchanged."""
+        return Tiling(self.target, self.source, self.pieces)
+
+    def is_flat(self, piece: Piece) -> bool:
+        """Tell whether all vertices of a piece lie on one line, in the source or in the target."""
+        ring = np.array(piece)
+        before, after = np.roll(ring, 1), np.roll(ring, -1)
+        return not all(side.orientation(before, ring, after).any() for side in (self.source, self.target))
+
     def is_star(self, piece: Piece) -> bool:
         """Tell whether a simple ring of vertices has a common star vertex, or kernels with an inside."""
         ring = np.array(piece)

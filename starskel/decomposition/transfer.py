@@ -36,13 +36,13 @@ def transfer(tiling: Tiling, whole: Piece, task: Task) -> Tiling:
     """
     cuts, swap = _fewer_cuts(tiling, whole, task.part(0, 0.3))
     if swap:
-        tiling = _swapped(tiling)
+        tiling = tiling.swapped()
     tiling = _draw(tiling, whole, cuts, task.part(0.3, 0.7))
     parts = tiling.pieces
     for at, part in enumerate(parts):
         done = 0.7 + 0.3 * at / len(parts)
         tiling = climb(tiling, part, task.part(done, done))
-    return _swapped(tiling) if swap else tiling
+    return tiling.swapped() if swap else tiling
 
 
 def _fewer_cuts(tiling: Tiling, whole: Piece, task: Task) -> tuple[list[Cut], bool]:
@@ -108,9 +108,6 @@ def _cut(tiling: Tiling, part: Piece, cut: Cut, task: Task) -> tuple[Tiling, tup
     share = np.arange(1, len(bends) + 1) / (len(bends) + 1)
     halves = (*part[start : end + 1], *between[::-1]), (*part[: start + 1], *between, *part[end:])
     pieces = tuple(piece for piece in tiling.pieces if piece != part)
-    source, target = tiling.source.with_on_chord(*cut, share), tiling.target.with_free(bends)
-    return Tiling(source, target, (*pieces, *halves)), halves
-
-
-def _swapped(tiling: Tiling) -> Tiling:
-    return Tiling(tiling.target, tiling.source, tiling.pieces)
+    first, last = (np.full(len(bends), v) for v in cut)
+    source = tiling.source.with_on_chords(first, last, share)
+    return Tiling(source, tiling.target.with_free(bends), (*pieces, *halves)), halves

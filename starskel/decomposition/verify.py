@@ -12,6 +12,7 @@ import numpy as np
 
 from starskel.decomposition.kernel import is_star_point
 from starskel.decomposition.pieces import Decomposition
+from starskel.points import Indices, Points, points_of
 from starskel.polygon import crossing_edges, signed_area
 from starskel.predicates import Floats
 
@@ -29,8 +30,9 @@ def faults(decomposition: Decomposition) -> list[str]:
         if len(origins) != len(decomposition.pieces):
             found.append(f"{side}: {len(origins)} origins for {len(decomposition.pieces)} pieces")
             continue
+        points = points_of(ring).with_free(vertices[len(ring) :])
         for at, piece in enumerate(decomposition.pieces):
-            fault = _piece_fault(vertices[list(piece)], origins[at])
+            fault = _piece_fault(points, np.array(piece), origins[at])
             if fault:
                 found.append(f"{side}: piece {at} {fault}")
     return found
@@ -48,9 +50,12 @@ def _edge_faults(decomposition: Decomposition) -> list[str]:
     return found + [f"edge {a}-{b} has no partner" for a, b in lonely]
 
 
-def _piece_fault(ring: Floats, origin: Floats) -> str:
-    if len(ring) < 3:
+def _piece_fault(points: Points, piece: Indices, origin: Floats) -> str:
+    if len(piece) < 3:
         return "has fewer than 3 vertices"
+    if not points.orientation(np.roll(piece, 1), piece, np.roll(piece, -1)).any():
+        return "has no area"
+    ring = points.coordinates[piece]
     if len(crossing_edges(ring)):
         return "is not simple"
     if not signed_area(ring) > 0:

@@ -14,7 +14,10 @@ from app.session import Session
 from app.view.main_window import MainWindow
 from app.view.theme import LIGHT, apply_theme
 from tests.app.driver import Driver
-from tests.app.leftovers import left_alive
+from tests.app.leftovers import every_dialog_answered, left_alive
+
+PATIENCE = 30_000
+"""Milliseconds after which a dialog counts as forgotten."""
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -39,11 +42,14 @@ def window(qtbot: QtBot) -> Iterator[MainWindow]:
     window.show()
     qtbot.waitExposed(window)
     window.session.new()
-    yield window
-    window.session.new()  # with nothing unsaved, closing asks nothing
-    window.close()
-    window.deleteLater()
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    try:
+        with every_dialog_answered(PATIENCE):
+            yield window
+    finally:
+        window.session.new()  # with nothing unsaved, closing asks nothing
+        window.close()
+        window.deleteLater()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
 @pytest.fixture

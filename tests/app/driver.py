@@ -120,10 +120,15 @@ class Driver:
 
 
 def name_file(dialog: QWidget, name: str) -> None:
-    """Type the name of a file of the dialog's folder and press Enter."""
+    """Save or open a file of the dialog's folder."""
+    type_name(dialog, name)
+    assert not dialog.isVisible(), f"{name} was not taken"
+
+
+def type_name(dialog: QWidget, name: str) -> None:
+    """Type the name of a file and press Enter."""
     field = dialog.findChild(QLineEdit, "fileNameEdit")
     assert field is not None
     field.selectAll()
     QTest.keyClicks(field, name)
     QTest.keyClick(field, Qt.Key.Key_Return)
-    assert not dialog.isVisible(), f"{name} was not taken"

@@ -1,9 +1,11 @@
 """What a test must not leave behind."""
 
 import gc
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 import shiboken6
-from PySide6.QtCore import QCoreApplication, QEvent, QThread
+from PySide6.QtCore import QCoreApplication, QEvent, QThread, QTimer
 from PySide6.QtWidgets import QApplication
 
 
@@ -19,3 +21,24 @@ def left_alive() -> list[str]:
         if isinstance(thread, QThread) and thread.isRunning() and thread != QThread.currentThread()
     ]
     return [repr(widget) for widget in QApplication.topLevelWidgets()] + [repr(thread) for thread in running]
+
+
+@contextmanager
+def every_dialog_answered(patience: int) -> Iterator[None]:
+    """Close dialogs that are open after so many milliseconds, and fail: a test would wait for ever."""
+    closed: list[str] = []
+
+    def close() -> None:
+        dialog = QApplication.activeModalWidget()
+        if dialog is not None:
+            closed.append(f"{type(dialog).__name__} {dialog.windowTitle()!r}")
+            dialog.close()
+
+    timer = QTimer(interval=patience)
+    timer.timeout.connect(close)
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.stop()
+        assert not closed, f"nobody answered {closed}"

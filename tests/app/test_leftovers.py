@@ -1,7 +1,8 @@
+import pytest
 from PySide6.QtCore import QThread
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QMessageBox, QWidget
 
-from tests.app.leftovers import left_alive
+from tests.app.leftovers import every_dialog_answered, left_alive
 
 
 def test_a_window_left_open_is_named(qapp) -> None:  # type: ignore[no-untyped-def]
@@ -19,3 +20,10 @@ def test_a_running_thread_is_named(qapp) -> None:  # type: ignore[no-untyped-def
     thread.quit()
     thread.wait()
     assert left_alive() == []
+
+
+def test_a_dialog_that_nobody_answers_is_closed_and_fails_the_test(qapp) -> None:  # type: ignore[no-untyped-def]
+    question = QMessageBox(windowTitle="Well?")
+    with pytest.raises(AssertionError, match=r"nobody answered.*Well"), every_dialog_answered(50):
+        question.exec()
+    question.deleteLater()

@@ -116,17 +116,20 @@ def test_vertices_left_alone_at_the_same_share_become_partners():
     np.testing.assert_array_equal(inserted(target, rows, 1)[1], [3, 0])
 
 
+def zigzag(teeth):
+    """A ring with many vertices between vertex 0 and the last but one."""
+    xs = np.arange(1, teeth) / teeth
+    lower = np.stack([xs, -0.001 * (np.arange(1, teeth) % 2 + 1)], axis=1)
+    return np.concatenate([[(0.0, 0.0)], lower, [(1.0, 0.0), (0.5, 1.0)]])
+
+
 def test_many_new_vertices_fit_on_a_tiny_edge_or_are_refused():
-    source = np.array(
-        [(0.0, 0.0), *((k / 8, -0.01 * (k % 2 + 1)) for k in range(1, 8)), (1.0, 0.0), (0.5, 1.0)]
-    )
     step = 2.0**-52  # of the numbers from 1 to 2
-    for width in (256, 64, 8):
+    for width in (256, 64, 40):
         target = np.array([(1.0, 1.0), (1.0 + width * step, 1.0), (1.0, 2.0)])
-        check(match(source, target, [(0, 0), (8, 1), (9, 2)]), source, target)
-    target = np.array([(1.0, 1.0), (1.0 + 7 * step, 1.0), (1.0, 2.0)])
+        check(match(zigzag(8), target, [(0, 0), (8, 1), (9, 2)]), zigzag(8), target)
     with pytest.raises(InvalidPolygon, match=r"edge from vertex 0 at .* too short") as error:
-        match(source, target, [(0, 0), (8, 1), (9, 2)])
+        match(zigzag(60), target, [(0, 0), (60, 1), (61, 2)])
     assert error.value.vertices == (0,)
 
 

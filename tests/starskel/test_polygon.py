@@ -75,3 +75,24 @@ def test_equal_polygons_hash_alike_and_tell_their_size():
     assert hash(Polygon(SQUARE)) == hash(Polygon([*SQUARE, SQUARE[0]]))
     assert len(Polygon(comb(5))) == len(comb(5))
     assert repr(Polygon(two_opt(12, 1))) == "Polygon of 12 vertices"
+
+
+def test_rings_and_polygons_of_shapely_and_our_own_are_taken():
+    ring = shapely.LinearRing(SQUARE)
+    assert Polygon(ring) == Polygon(Polygon(SQUARE)) == Polygon(SQUARE)
+
+
+@pytest.mark.parametrize(
+    "points", [[("0", "0"), ("1", "0"), ("0", "1")], [(0, 0), (1, 0), (0, 1j)], [(10**400, 0)] * 3]
+)
+def test_what_numpy_would_bend_into_numbers_is_refused(points):
+    with pytest.raises(InvalidPolygon, match="not numbers"):
+        Polygon(points)
+
+
+@pytest.mark.parametrize("far", [0.0, 1e6])
+def test_a_vertex_within_the_rounding_of_an_edge_is_refused(far):
+    near = 1e-9 if far else 1e-15
+    with pytest.raises(InvalidPolygon, match="vertex 4 all but touches edge 0-1") as caught:
+        Polygon(np.array([(0, 0), (4, 0), (4, 4), (3, 4), (2, near), (1, 4), (0, 4)]) + far)
+    assert caught.value.vertices == (4, 0, 1)

@@ -109,3 +109,9 @@ def test_series_are_those_of_the_frames(shape_pair):
 def test_too_few_frames_are_refused(frames):
     with pytest.raises(StarskelError, match="at least 2"):
         measure(VertexBlend(match(SQUARE, SQUARE)), frames=frames)
+
+
+def test_a_frame_that_collapses_into_a_point_is_not_simple():
+    square = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
+    report = measure(VertexBlend(match(square, np.roll(square, 2, axis=0), [(0, 0)])))
+    assert report.crossing_times == (0.5,)

@@ -1,6 +1,7 @@
 from app.model.document import Document
 from app.model.selection import Selection
 from app.tools.draw import Drawing, DrawTool
+from app.tools.select import SelectTool
 from app.tools.tool import Key, Pointer, Response, Scene, Tool
 from starskel.polygon import Polygon
 
@@ -93,3 +94,21 @@ def test_the_second_press_of_a_double_click_sets_no_vertex() -> None:
 def test_the_other_canvas_neither_adds_nor_cancels() -> None:
     tool = click(DrawTool(), (0, 0), (10, 0)).tool
     assert tool.press(SCENE, Pointer("target", (3, 3), 0.5)).tool == tool
+
+
+def test_going_on_to_something_else_closes_what_is_a_polygon_already() -> None:
+    response = click(DrawTool(), (0, 0), (10, 0), (10, 10)).tool.finish(SCENE)
+    assert response.commit is not None
+    assert response.commit.document.source == Polygon([(0, 0), (10, 0), (10, 10)])
+    assert click(DrawTool(), (0, 0), (10, 0)).tool.finish(SCENE) == Response(DrawTool())
+    zigzag = click(DrawTool(), (0, 0), (4, 4), (4, -4), (6, -4), (6, 4), (10, 0))
+    refused = zigzag.tool.finish(SCENE)
+    assert refused.tool == zigzag.tool
+    assert refused.refusal is not None
+
+
+def test_the_second_shape_done_the_drawing_tool_is_put_down() -> None:
+    scene = Scene(Document(target=Polygon([(0, 0), (9, 0), (9, 9)])), Selection())
+    tool = click(DrawTool(), (0, 0), (10, 0), (10, 10)).tool
+    assert tool.key(SCENE, Key("enter")).tool == DrawTool()
+    assert tool.key(scene, Key("enter")).tool == SelectTool()

@@ -62,6 +62,38 @@ def test_escape_forgets_the_path(driver: Driver) -> None:
     assert driver.document.source is None
 
 
+def test_choosing_the_drawing_tool_again_changes_nothing_in_a_drawing(driver: Driver) -> None:
+    driver.click("source", *SQUARE)
+    driver.key(Qt.Key.Key_D)
+    assert isinstance(driver.session.tool, Drawing)
+    assert len(driver.session.tool.points) == 4
+
+
+def test_choosing_another_tool_closes_a_drawing_where_that_is_possible(driver: Driver) -> None:
+    driver.click("source", *SQUARE)
+    driver.key(Qt.Key.Key_S)
+    assert driver.corners("source") == [list(corner) for corner in SQUARE]
+    assert driver.session.tool.name == "select"
+
+
+def test_a_drawing_that_cannot_be_closed_keeps_its_tool_and_says_why(driver: Driver) -> None:
+    driver.click("source", (10, 10), (40, 60), (40, 10), (60, 10), (60, 60), (90, 10))
+    driver.key(Qt.Key.Key_S)
+    assert isinstance(driver.session.tool, Drawing)
+    assert driver.session.refusal is not None
+    assert driver.window.actions_table["draw"].isChecked()
+    driver.key(Qt.Key.Key_A, CONTROL)
+    assert isinstance(driver.session.tool, Drawing)
+
+
+def test_with_both_shapes_drawn_a_stray_click_begins_no_third(driver: Driver) -> None:
+    driver.click("source", *TRIANGLE, TRIANGLE[0])
+    driver.click("target", *SQUARE, SQUARE[0])
+    assert driver.window.actions_table["select"].isChecked()
+    driver.click("target", (50, 50))
+    assert not driver.session.tool.busy
+
+
 def test_drawing_is_undone_and_redone_as_a_whole(driver: Driver) -> None:
     driver.draw("source", TRIANGLE)
     drawn = driver.document

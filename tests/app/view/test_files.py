@@ -12,12 +12,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.view import files
 from app.view.dialogs import PairDialog
 from app.view.export_dialog import ExportDialog
 from starskel.files.examples import example
 from starskel.files.pairs import ShapePair, write_pairs
 from starskel.files.project import read_project
-from tests.app.driver import CONTROL, SHIFT, SQUARE, Driver, name_file
+from tests.app.driver import CONTROL, SHIFT, SQUARE, Driver, name_file, type_name
 
 
 @pytest.fixture(autouse=True)
@@ -83,6 +84,18 @@ def test_closing_asks_about_unsaved_changes(driver: Driver, tmp_path: Path) -> N
     driver.window.close()
     assert not driver.window.isVisible()
     assert read_project(tmp_path / "kept.json").source is not None
+
+
+def test_a_drawing_begun_is_not_lost_by_closing(driver: Driver) -> None:
+    driver.key(Qt.Key.Key_D)
+    driver.click("source", *SQUARE)
+    driver.in_dialog(press(QMessageBox.StandardButton.Cancel))
+    driver.window.close()
+    assert driver.window.isVisible()
+    assert driver.corners("source") == [list(corner) for corner in SQUARE]
+    driver.in_dialog(press(QMessageBox.StandardButton.Discard))
+    driver.window.close()
+    assert not driver.window.isVisible()
 
 
 def test_discarding_is_possible(driver: Driver) -> None:
@@ -176,6 +189,83 @@ def test_save_as_goes_to_another_file(driver: Driver, tmp_path: Path) -> None:
         driver.key(Qt.Key.Key_S, CONTROL | SHIFT)
         assert (tmp_path / name).exists()
     assert driver.session.path == tmp_path / "two.json"
+
+
+def test_a_file_is_not_overwritten_unasked_though_its_ending_was_not_typed(
+    driver: Driver, tmp_path: Path
+) -> None:
+    other = tmp_path / "boxes.json"
+    other.write_text("somebody's work")
+    driver.draw("source", SQUARE)
+    asked: list[str] = []
+
+    def refuse(question: QWidget) -> None:
+        assert isinstance(question, QMessageBox)
+        asked.append(question.text())
+        press(QMessageBox.StandardButton.No)(question)
+
+    def save(dialog: QWidget) -> None:
+        driver.in_dialog(refuse)
+        type_name(dialog, "boxes")
+        dialog.close()
+
+    driver.in_dialog(save)
+    driver.key(Qt.Key.Key_S, CONTROL)
+    assert "boxes.json" in asked[0]
+    assert other.read_text() == "somebody's work"
+    assert driver.session.unsaved
+
+
+def test_the_kind_chosen_in_the_dialog_decides_the_format(driver: Driver, tmp_path: Path) -> None:
+    driver.draw_both()
+    driver.wait_for_blends()
+
+    def choose(dialog: QWidget) -> None:
+        kinds = dialog.findChild(QComboBox, "fileTypeCombo")
+        assert kinds is not None
+        QTest.keyClick(kinds, Qt.Key.Key_Down)
+        field = dialog.findChild(QLineEdit, "fileNameEdit")
+        assert field is not None
+        assert field.text() == "Untitled.eps"
+        QTest.keyClick(field, Qt.Key.Key_Return)
+
+    def export(dialog: QWidget) -> None:
+        driver.in_dialog(choose)
+        buttons = dialog.findChild(QDialogButtonBox)
+        assert buttons is not None
+        QTest.mouseClick(buttons.button(QDialogButtonBox.StandardButton.Save), Qt.MouseButton.LeftButton)
+
+    driver.in_dialog(export)
+    driver.key(Qt.Key.Key_E, CONTROL)
+    assert (tmp_path / "Untitled.eps").read_text().startswith("%!PS-Adobe-3.0 EPSF-3.0")
+
+
+@pytest.mark.parametrize("path", ["folder", "file/inside.svg"])
+def test_where_nothing_can_be_written_export_and_save_say_so(
+    driver: Driver, tmp_path: Path, path: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The file dialog lets some of these through, on a disk that has changed since it looked."""
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "file").write_text("no folder")
+    driver.draw_both()
+    driver.wait_for_blends()
+    monkeypatch.setattr(files, "path_to_save", lambda *_: (tmp_path / path).with_suffix(".svg"))
+    (tmp_path / "folder.svg").mkdir()
+    said: list[str] = []
+
+    def read(dialog: QWidget) -> None:
+        assert isinstance(dialog, QMessageBox)
+        said.append(dialog.text())
+        assert dialog.informativeText()
+        dialog.accept()
+
+    driver.in_dialog(read)
+    driver.key(Qt.Key.Key_S, CONTROL)
+    driver.in_dialog(lambda dialog: (driver.in_dialog(read), dialog.accept()))  # type: ignore[attr-defined]
+    driver.key(Qt.Key.Key_E, CONTROL)
+    assert "was not saved" in said[0]
+    assert "was not written" in said[1]
+    assert driver.session.unsaved
 
 
 def _exporting(driver: Driver, row: int, path: Path):  # type: ignore[no-untyped-def]

@@ -85,10 +85,13 @@ def test_the_fewest_pieces_are_as_few_wherever_the_pair_lies(move):
     assert len(moved.pieces) == len(decompose(paired(source, target), steiner=False).pieces)
 
 
-def test_source_and_target_may_be_swapped(pair):
-    there, back = check(pair), check(paired(pair.target, pair.source))
-    if len(there.source) == len(pair):  # Steiner vertices are found by search, whose order may matter
-        assert len(there.pieces) == len(back.pieces)
+def test_swapping_the_polygons_and_shifting_the_start_give_the_same_pieces(pair):
+    n = len(pair)
+    there, back = check(pair), check(paired(np.roll(pair.target, 2, axis=0), np.roll(pair.source, 2, axis=0)))
+
+    assert back.pieces == tuple(tuple((v + 2) % n if v < n else v for v in p) for p in there.pieces)
+    np.testing.assert_array_equal(back.target[n:], there.source[n:])
+    np.testing.assert_array_equal(back.source_origins, there.target_origins)
 
 
 def test_pairs_of_files_are_decomposed_without_fault(shape_pair):
@@ -198,6 +201,17 @@ class TestProof:
     def test_a_clockwise_piece(self, right):
         broken = replace(right, pieces=(right.pieces[0][::-1], *right.pieces[1:]))
         assert any("not counter-clockwise" in fault for fault in faults(broken))
+
+    def test_a_piece_without_area(self):
+        square = np.array([(0, 0), (1, 0), (2, 0), (3, 0), (3, 3), (0, 3)], dtype=float)
+        right = check(paired(square, square))
+        flat = replace(
+            right,
+            pieces=((0, 1, 2, 3), (0, 3, 4, 5)),
+            source_origins=np.repeat(right.source_origins, 2, axis=0),
+            target_origins=np.repeat(right.target_origins, 2, axis=0),
+        )
+        assert any("has no area" in fault for fault in faults(flat))
 
     def test_an_origin_outside_the_kernel(self, right):
         origins = right.target_origins.copy()
