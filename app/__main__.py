@@ -1,6 +1,7 @@
 """starskel-editor [FILE]: open the editor."""
 
 import argparse
+import os
 import sys
 from importlib import import_module
 from pathlib import Path
@@ -8,6 +9,9 @@ from pathlib import Path
 from app.surroundings import what_is_missing
 
 FAILED = 2
+
+THREAD_LIMITS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS")
+"""Where the libraries under numpy look, when it is loaded, how many threads a product of matrices may take."""
 
 
 def main() -> int:
@@ -24,6 +28,9 @@ def main() -> int:
     if missing:
         print(f"starskel-editor: {missing}", file=sys.stderr)
         return FAILED
+    for name in THREAD_LIMITS:
+        # the window needs the other cores, and products as small as ours wait for threads more than they gain
+        os.environ.setdefault(name, "1")
     # imported only now: where Qt's libraries are missing this fails, and the message above is clearer
     status: int = import_module("app.view.start").run(arguments.file)
     return status

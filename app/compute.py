@@ -20,7 +20,7 @@ from starskel.errors import Cancelled, StarskelError
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
 
-AT_ONCE = 1 << 13
+AT_ONCE = 1 << 15
 """So many points of frames are computed between two questions whether to stop."""
 
 SAMPLES = np.linspace(0, 1, 21)

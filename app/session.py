@@ -227,15 +227,16 @@ class Session(QObject):
         return Scene(self.document, self.selection)
 
     def _answer(self, response: Response) -> None:
-        former, self.tool = self.tool, response.tool
-        self.refusal = response.refusal
+        former = self.tool, self.refusal, self.selection
+        self.tool, self.refusal = response.tool, response.refusal
         if response.selection is not None:
             self.selection = response.selection
         if response.commit is not None:
             self._commit(response.commit)
-        if type(former) is not type(self.tool):
+        if type(former[0]) is not type(self.tool):
             self.tool_changed.emit()
-        self.changed.emit()
+        if (self.tool, self.refusal, self.selection) != former:  # most moves of the pointer change nothing
+            self.changed.emit()
 
     def _commit(self, commit: Commit) -> None:
         if commit.document == self.document:

@@ -23,7 +23,7 @@ from app.view.canvas_painter import CanvasPainter
 PICK = 9.0
 """Pixels within which a vertex or an edge counts as under the pointer."""
 
-MARGIN = 46.0
+MARGIN = 52.0
 """Pixels left free around a fitted shape: room for pins and caption."""
 
 NOTCH = 1.25

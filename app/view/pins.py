@@ -60,7 +60,7 @@ def paint_pins(painter: QPainter, pins: Sequence[Pin]) -> None:
     font.setBold(True)
     font.setPointSizeF(9.0)
     painter.setFont(font)
-    room = QRectF(painter.window())
+    room = QRectF(painter.window()).adjusted(3, 3, -3, -3)
     boxes: list[QRectF] = []
     for pin in pins:
         width = QFontMetricsF(font).horizontalAdvance(pin.text) + 12

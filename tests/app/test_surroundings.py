@@ -25,3 +25,8 @@ def test_the_command_ends_with_status_2_and_a_message() -> None:
     )
     assert done.returncode == 2
     assert done.stderr == f"starskel-editor: {NO_DISPLAY}\n"
+
+
+def test_numpy_is_not_loaded_before_its_threads_are_limited() -> None:
+    program = "import sys, app.__main__; sys.exit('numpy' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", program], check=False).returncode == 0

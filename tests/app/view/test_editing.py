@@ -141,6 +141,17 @@ def test_fit_shows_the_whole_shape(square: Driver) -> None:
     assert (places < (canvas.width(), canvas.height())).all()
 
 
+def test_a_pointer_over_empty_ground_paints_nothing_anew(square: Driver) -> None:
+    square.hover("source", 50, 50)
+    emitted: list[None] = []
+    square.session.changed.connect(lambda: emitted.append(None))
+    square.hover("source", 40, 50)
+    square.hover("source", 60, 40)
+    assert not emitted
+    square.hover("source", 90, 90)
+    assert emitted
+
+
 def test_editing_does_not_move_the_view(square: Driver) -> None:
     camera = square.window.canvases["source"].camera
     square.drag("source", (90, 90), (120, 130))
