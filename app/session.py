@@ -16,13 +16,14 @@ from app.tools.mark import MarkTool
 from app.tools.select import SelectTool
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
 from starskel import METHODS
+from starskel.blending import COMPARED
 from starskel.files.project import Project, read_project, write_project
 from starskel.polygon import Polygon
 
 TOOLS: dict[str, type[Tool]] = {tool.name: tool for tool in (SelectTool, DrawTool, MarkTool)}
 
-USUAL_METHODS = METHODS[::-1]
-"""What is compared until the user chooses: every method, the most refined first."""
+USUAL_METHODS = COMPARED
+"""What is compared until the user chooses: every method."""
 
 Shapes = tuple[Polygon | None, Polygon | None, Marks]
 

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QWidget
 from app.view import words
 from app.view.actions import Actions, say
 from app.view.commands import MENUS, TOOLBAR
-from starskel import METHODS
+from starskel.blending import COMPARED
 from starskel.files.examples import example, example_names
 
 translate = QCoreApplication.translate
@@ -53,7 +53,7 @@ def examples_menu(parent: QWidget) -> QMenu:
 def methods_menu(parent: QWidget) -> QMenu:
     """Give a menu of switches for the methods; each action's data is the method's name."""
     menu = QMenu(translate("Menus", "&Methods Shown"), parent)
-    for method in METHODS[::-1]:
+    for method in COMPARED:
         action = menu.addAction(words.method(method))
         action.setCheckable(True)
         action.setData(method)

@@ -83,6 +83,8 @@ class Panel(QWidget):
         self.verdict = QLabel()
         self.verdict.setObjectName(f"{method}-verdict")
         self.verdict.setAccessibleName(self.tr("Verdict on {method}").format(method=words.method(method)))
+        # a long verdict is cut off, and whole in its tip, rather than making the window wider
+        self.verdict.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.view = FrameView(player, display)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)

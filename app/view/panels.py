@@ -2,6 +2,7 @@
 
 import numpy as np
 from PySide6.QtCore import Slot
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from app.session import Session
@@ -10,7 +11,23 @@ from app.view.panel import Panel
 from app.view.player import Player
 from starskel.predicates import Floats
 
-LONGEST_ROW = 4
+HEADING = 40
+"""Height of what stands over a panel's frame, in pixels."""
+
+NARROWEST = 200
+"""Width that a verdict needs; panels are narrower only where one row of two would be."""
+
+
+def columns_for(count: int, width: float, height: float, extent: Floats) -> int:
+    """Give how many panels stand side by side so that what has this extent is shown largest."""
+    box = np.ptp(extent, axis=0) if len(extent) else np.ones(2)
+
+    def scale(columns: int) -> float:
+        room = np.array([width / columns, height / -(-count // columns) - HEADING])
+        return float((room / np.maximum(box, np.finfo(float).tiny)).min())
+
+    fitting = max(2, int(width // NARROWEST))
+    return max(range(min(count, fitting), 0, -1), key=scale, default=1)
 
 
 class Panels(QWidget):
@@ -22,6 +39,7 @@ class Panels(QWidget):
         self._player = player
         self._display = display
         self._panels: dict[str, Panel] = {}
+        self._columns = 0
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(10, 4, 10, 0)
         self._grid.setSpacing(10)
@@ -43,17 +61,27 @@ class Panels(QWidget):
             self._grid.removeWidget(panel)
             panel.deleteLater()
         self._panels = {m: Panel(m, self._session, self._player, self._display) for m in methods}
-        columns = len(methods) if len(methods) <= LONGEST_ROW else -(-len(methods) // 2)
+        self._columns = 0
+        self.follow()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._lay_out(self._extent())
+
+    def _lay_out(self, extent: Floats) -> None:
+        columns = columns_for(len(self._panels), self.width(), self.height(), extent)
+        if columns == self._columns:
+            return
+        self._columns = columns
         for number, panel in enumerate(self._panels.values()):
             self._grid.addWidget(panel, *divmod(number, columns))
         for column in range(self._grid.columnCount()):
             self._grid.setColumnStretch(column, 1 if column < columns else 0)
-        self.follow()
 
     @Slot()
     def follow(self) -> None:
         """Show what the session has."""
         extent = self._extent()
+        self._lay_out(extent)
         for panel in self._panels.values():
             panel.follow(extent)
 

@@ -17,6 +17,7 @@ _METHODS = (
     QT_TRANSLATE_NOOP("Method", "edge-angle"),
     QT_TRANSLATE_NOOP("Method", "star-skeleton"),
     QT_TRANSLATE_NOOP("Method", "stitched"),
+    QT_TRANSLATE_NOOP("Method", "rigid"),
 )
 
 

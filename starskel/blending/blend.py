@@ -6,6 +6,7 @@ from typing import overload
 from starskel.blending import METHODS
 from starskel.blending.edge_angle import EdgeAngleBlend
 from starskel.blending.frames import Blend
+from starskel.blending.rigid import RigidBlend
 from starskel.blending.star_skeleton import StarSkeletonBlend
 from starskel.blending.stitched import StitchedBlend
 from starskel.blending.vertex import VertexBlend
@@ -98,6 +99,9 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
         "edge-angle": lambda: EdgeAngleBlend(pair),
         "star-skeleton": lambda: StarSkeletonBlend(_decomposition(pair, decomposition, task), root),
         "stitched": lambda: StitchedBlend(
+            _decomposition(pair, decomposition, task), root, task.part(_DECOMPOSING, 1)
+        ),
+        "rigid": lambda: RigidBlend(
             _decomposition(pair, decomposition, task), root, task.part(_DECOMPOSING, 1)
         ),
     }

@@ -2,7 +2,7 @@
 
 from argparse import Namespace
 
-from starskel.blending import METHODS
+from starskel.blending import COMPARED
 from starskel.command.blend import shown_of, times_of
 from starskel.command.methods import blends
 from starskel.command.opening import chosen_pair
@@ -18,7 +18,7 @@ def run(arguments: Namespace) -> int:
     pair = chosen_pair(arguments.file, arguments.id)
     times, shown = times_of(arguments), shown_of(arguments)
     rows = []
-    for method, blend in blends(pair, arguments.method or METHODS[::-1]):
+    for method, blend in blends(pair, arguments.method or COMPARED):
         rows.append(Row.of(method, measure(blend), keyframes(blend, times, shown)))
     WRITERS[ending](arguments.output, comparison_sheet(pair.id, rows))
     return 0

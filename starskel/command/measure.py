@@ -9,7 +9,7 @@ from statistics import median
 
 import msgspec
 
-from starskel.blending import METHODS
+from starskel.blending import COMPARED
 from starskel.command import FAILED
 from starskel.command.methods import blends
 from starskel.command.opening import Opened, opened
@@ -51,7 +51,7 @@ def run(arguments: Namespace) -> int:
     """Measure, and print what was found; pairs that fail are named and the others go on."""
     file = opened(arguments.file)
     ids = _ids(file, arguments.id)
-    methods = arguments.method or METHODS[::-1]
+    methods = arguments.method or COMPARED
     table = None if arguments.json else _Table(ids, methods)
     found: list[Figures] = []
     failures: list[_Failure] = []

@@ -1,10 +1,13 @@
+import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLabel
 
 from app.playback import Repeat
+from app.view.panels import columns_for
 from starskel import METHODS
+from starskel.blending import COMPARED
 from starskel.files.examples import example
 from tests.app.driver import LEFT, PLAIN, Driver
 
@@ -25,7 +28,7 @@ def verdict(driver: Driver, method: str) -> str:
 def test_drawing_two_shapes_is_enough_for_all_blends(driver: Driver) -> None:
     driver.draw_both()
     driver.wait_for_blends()
-    assert [result.method for result in driver.session.fresh_results] == list(METHODS[::-1])
+    assert [result.method for result in driver.session.fresh_results] == list(COMPARED)
 
 
 def test_each_method_gets_a_verdict(arm: Driver) -> None:
@@ -148,3 +151,29 @@ def test_escape_cancels_the_computation_and_f5_takes_it_up_again(arm: Driver) ->
     arm.key(Qt.Key.Key_F5)
     arm.wait_for_blends()
     assert not arm.session.results["stitched"].stale
+
+
+@pytest.mark.parametrize(
+    ("width", "height", "extent", "columns"),
+    [
+        (1280, 270, (1, 2), 5),  # tall shapes stand in a row
+        (1280, 600, (4, 1), 2),  # wide ones lie over one another
+        (700, 500, (1, 1), 3),  # no narrower than a verdict
+        (150, 500, (1, 1), 2),
+    ],
+)
+def test_panels_are_laid_out_so_that_frames_are_largest(
+    width: int, height: int, extent: tuple[int, int], columns: int
+) -> None:
+    assert columns_for(5, width, height, np.array([(0, 0), extent], dtype=float)) == columns
+
+
+def test_the_grid_follows_the_window(arm: Driver) -> None:
+    shown = set()
+    for size in ((1300, 800), (800, 1000)):
+        arm.window.resize(*size)
+        arm.window.panels.resize(size[0], size[1] // 2)
+        panels = [arm.window.panels.panel(method) for method in COMPARED]
+        shown.add(len({panel.x() for panel in panels}))
+        assert all(panel.isVisible() for panel in panels)
+    assert len(shown) == 2

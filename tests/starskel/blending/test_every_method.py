@@ -15,7 +15,7 @@ from tests.families import subdivided, turned, two_opt
 from tests.starskel.blending.cases import CASES, NAMED, decomposition_of, pair_of, shapes, size_of
 
 TIMES = np.linspace(0, 1, 13)
-PIECEWISE = ("star-skeleton", "stitched")
+PIECEWISE = ("star-skeleton", "stitched", "rigid")
 
 every_method = pytest.mark.parametrize("method", METHODS)
 

@@ -1,0 +1,77 @@
+"""Blends that move a mesh: the fans of all star pieces, all their points at once."""
+
+from abc import abstractmethod
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from starskel.blending.fans import Fans, fans_of
+from starskel.blending.frames import placed, with_exact_ends
+from starskel.blending.mesh import Mesh
+from starskel.blending.pieces import PieceBlend
+from starskel.decomposition.pieces import Decomposition
+from starskel.outline import precedes
+from starskel.polar import Complex, as_points
+from starskel.predicates import Floats
+from starskel.skeleton import skeleton_of
+from starskel.task import Task
+
+Motion = Callable[[Floats], Complex]
+"""Gives all points of a mesh at each of k times, (k, m), up to a translation."""
+
+
+class FanBlend(PieceBlend):
+    """A blend of the fans of all pieces.
+
+    The outline's centre of mass moves straight. Exchanging source and target gives the same frames backwards.
+
+    Parameters
+    ----------
+    decomposition : Decomposition
+    root : int, optional
+        The piece that the skeleton hangs on, which is drawn only.
+    task : Task, optional
+        Watches the preparation.
+    """
+
+    def __init__(
+        self, decomposition: Decomposition, root: int | None = None, task: Task | None = None
+    ) -> None:
+        super().__init__(decomposition, skeleton_of(decomposition, root))
+        self._backwards = precedes(decomposition.target, decomposition.source)
+        forwards = _exchanged(decomposition) if self._backwards else decomposition
+        watched = task or Task()
+        fans = fans_of(forwards, watched)
+        watched.reach(0.02)
+        self._pair = forwards.pair
+        self._hubs = fans.hubs
+        mesh, self._motion = self._prepared(fans, watched.part(0.02, 1))
+        ends = np.stack([as_points(mesh.source), as_points(mesh.target)])
+        self.errors = self._placed(np.array([0.0, 1.0])) - ends
+
+    @abstractmethod
+    def _prepared(self, fans: Fans, task: Task) -> tuple[Mesh, Motion]:
+        """Give the mesh of the fans and how it moves."""
+
+    def _points(self, ts: Floats) -> tuple[Floats, Floats]:
+        times = 1 - ts if self._backwards else ts
+        points = with_exact_ends(self._placed(times), times, self.errors)
+        origins = np.stack([points[:, hub].mean(axis=1) for hub in self._hubs], axis=1)
+        return points[:, : len(self.decomposition.source)], origins
+
+    def _placed(self, ts: Floats) -> Floats:
+        return placed(as_points(self._motion(ts)), ts, self._pair)
+
+
+def _exchanged(decomposition: Decomposition) -> Decomposition:
+    """Call the source target, and the target source."""
+    pair = decomposition.pair
+    return replace(
+        decomposition,
+        pair=replace(pair, source=pair.target, target=pair.source),
+        source=decomposition.target,
+        target=decomposition.source,
+        source_origins=decomposition.target_origins,
+        target_origins=decomposition.source_origins,
+    )
