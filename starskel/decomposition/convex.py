@@ -43,7 +43,7 @@ def convex_cuts(ground: Triangulation, seen: Visibility, price: Floats, task: Ta
     task : Task
     """
     if len(ground.ring) > FEWEST:
-        return _needed_diagonals(ground, price)
+        return _needed_diagonals(ground, price, task)
     return _Pieces(ground.points, ground.ring, seen, price).cuts(task)
 
 
@@ -143,7 +143,7 @@ def _limits(points: Points, ring: Indices, seen: Visibility) -> tuple[Indices, I
     return last, first
 
 
-def _needed_diagonals(ground: Triangulation, price: Floats) -> list[Cut]:
+def _needed_diagonals(ground: Triangulation, price: Floats, task: Task) -> list[Cut]:
     """Drop the diagonals of a triangulation that no vertex needs, the dearest first."""
     n = len(ground.ring)
     a, b = ground.triangles.ravel(), np.roll(ground.triangles, -1, axis=1).ravel()
@@ -155,6 +155,7 @@ def _needed_diagonals(ground: Triangulation, price: Floats) -> list[Cut]:
     needed = []
     order = np.lexsort((b[inner], a[inner], -price[a[inner], b[inner]]))
     for u, v in zip(a[inner][order].tolist(), b[inner][order].tolist(), strict=True):
+        task.reach(0)
         if _is_needed(ground, ways[u], u, v) or _is_needed(ground, ways[v], v, u):
             needed.append((u, v))
         else:

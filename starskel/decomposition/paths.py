@@ -20,6 +20,9 @@ from starskel.visibility import Relation
 WITHIN = np.array([(64, 17, 15), (16, 65, 15), (17, 16, 63)]) / 96
 """Weights of the corners of a triangle for places in it: uneven, to stand in no line by chance."""
 
+MANY = 250
+"""Beyond so many vertices there are enough places in the middle of edges: the pairs grow with the square."""
+
 
 @dataclass(frozen=True, eq=False)
 class _Ways:
@@ -108,9 +111,10 @@ def _places(ground: Triangulation, ends: list[int]) -> Places:
 
     Through the middles of edges alone a path leads from everywhere to everywhere.
     """
-    within = np.repeat(np.arange(len(ground.triangles)), len(WITHIN))
+    weights = WITHIN if len(ground.ring) <= MANY else WITHIN[:0]
+    within = np.repeat(np.arange(len(ground.triangles)), len(weights))
     inner = np.flatnonzero(ground.twins > np.arange(len(ground.twins)))
-    free = np.einsum("ps,fsx->fpx", WITHIN, ground.vertices[ground.triangles]).reshape(-1, 2)
+    free = np.einsum("ps,fsx->fpx", weights, ground.vertices[ground.triangles]).reshape(-1, 2)
     a, b = ground.triangles.ravel(), np.roll(ground.triangles, -1, axis=1).ravel()
     middles = ground.ring[a[inner]], ground.ring[b[inner]]
     points = ground.points.with_free(free).with_on_chords(*middles, np.full(len(inner), 0.5))

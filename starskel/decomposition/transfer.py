@@ -82,19 +82,25 @@ def _draw(tiling: Tiling, whole: Piece, cuts: list[Cut], task: Task) -> Tiling:
             continue
         done = drawn / len(cuts)
         drawn += 1
-        chosen = min(inner, key=lambda cut: (_imbalance(part, cut), cut))
+        chosen = _halving(part, inner)
         inner = [cut for cut in inner if cut != chosen]
         cut = _cut(tiling, part, chosen, task.part(done, done))
         if cut is None:
             waiting.append((part, inner))
             continue
         tiling, halves = cut
-        waiting += [(half, [c for c in inner if c[0] in half and c[1] in half]) for half in halves]
+        waiting += [(half, _within(half, inner)) for half in halves]
     return tiling
 
 
-def _imbalance(part: Piece, cut: Cut) -> int:
-    return abs(2 * (part.index(cut[1]) - part.index(cut[0])) - len(part))
+def _halving(part: Piece, cuts: list[Cut]) -> Cut:
+    at = {vertex: place for place, vertex in enumerate(part)}
+    return min(cuts, key=lambda cut: (abs(2 * (at[cut[1]] - at[cut[0]]) - len(part)), cut))
+
+
+def _within(part: Piece, cuts: list[Cut]) -> list[Cut]:
+    vertices = set(part)
+    return [cut for cut in cuts if vertices.issuperset(cut)]
 
 
 def _cut(tiling: Tiling, part: Piece, cut: Cut, task: Task) -> tuple[Tiling, tuple[Piece, Piece]] | None:

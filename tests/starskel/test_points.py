@@ -54,3 +54,17 @@ def test_a_straight_vertex_is_beside_a_line_that_cuts_its_run_near_it():
         == -near.orientation(np.array([3]), six, free).item()
     )
     assert near.orientation(one, one, six).item() == 0
+
+
+def test_points_on_chords_stand_exactly_on_them():
+    """Also where the ends of a chord are rounded themselves."""
+    ring = turned(subdivided(two_opt(8, 3), 3), 0.7)
+    points = points_of(ring)
+    assert points.rounded.any()
+    start, end = np.repeat(np.arange(0, 8), 3), np.repeat(np.arange(12, 20), 3)
+    added = points.with_on_chords(start, end, np.tile([0.1, 1 / 3, 0.9], 8))
+    rows = len(ring) + np.arange(24)
+    assert not added.orientation(start, rows, end).any()
+    assert not added.orientation(rows[::3], rows[1::3], rows[2::3]).any()
+    sides = points.orientation(start[:, None], end[:, None], np.arange(len(ring))[None])
+    np.testing.assert_array_equal(added.orientation(rows[:, None], end[:, None], np.arange(len(ring))), sides)
