@@ -24,7 +24,7 @@ class FrameView(QWidget):
         self._player = player
         self._display = display
         self._state = MethodState()
-        self._message = ""
+        self.message = ""
         self._extent: Floats = np.empty((0, 2))
         self._camera = Camera()
         self.setMinimumSize(120, 90)
@@ -34,7 +34,7 @@ class FrameView(QWidget):
 
     def show_blend(self, state: MethodState, extent: Floats, message: str) -> None:
         """Show another blend; the extent is what must fit in, the message is for when there is none."""
-        self._state, self._extent, self._message = state, extent, message
+        self._state, self._extent, self.message = state, extent, message
         self._aim()
         self.update()
 
@@ -60,11 +60,11 @@ class FrameView(QWidget):
             FramePainter(painter, theme, self._camera, self._display).paint(
                 result.blend, t, crosses=verdicts.crosses_at(result.report, t), stale=self._state.stale
             )
-        if self._message:
+        if self.message:
             painter.setPen(QColor(theme.muted))
             frame = QRectF(self.rect()).adjusted(14, 10, -14, -10)
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-            painter.drawText(frame, flags, self._message)
+            painter.drawText(frame, flags, self.message)
 
 
 class Panel(QWidget):

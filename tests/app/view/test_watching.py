@@ -177,3 +177,24 @@ def test_the_grid_follows_the_window(arm: Driver) -> None:
         shown.add(len({panel.x() for panel in panels}))
         assert all(panel.isVisible() for panel in panels)
     assert len(shown) == 2
+
+
+def test_the_skeleton_of_a_single_piece_is_its_origin(driver: Driver) -> None:
+    driver.draw_both()
+    driver.wait_for_blends()
+    view = driver.window.panels.panel("stitched").view
+    without = view.grab().toImage()
+    driver.window.actions_table["skeleton"].trigger()
+    assert driver.window.display.skeleton
+    assert view.grab().toImage() != without
+
+
+def test_a_cancelled_computation_says_how_to_go_on(arm: Driver) -> None:
+    arm.session.results = {}
+    arm.session.recompute()
+    arm.key(Qt.Key.Key_Escape)
+    messages = [arm.window.panels.panel(method).view.message for method in METHODS]
+    assert all("F5" in message for message in messages)
+    arm.key(Qt.Key.Key_F5)
+    arm.wait_for_blends()
+    assert all(arm.window.panels.panel(method).view.message == "" for method in METHODS)
