@@ -7,7 +7,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from starskel.correspondence import match
-from starskel.correspondence.alignment import ALONE_PRICE, TURN_PRICE, Chains, align, alignment_prices
+from starskel.correspondence.alignment import (
+    ALONE_PRICE,
+    TURN_PRICE,
+    Chain,
+    align,
+    alignment_prices,
+    chain_prices,
+)
 from starskel.correspondence.insertion import inserted, merged
 from starskel.errors import Cancelled, InvalidMarks, InvalidPolygon
 from starskel.outline import edge_lengths
@@ -192,16 +199,17 @@ def test_the_alignment_is_the_cheapest_of_all():
         return total
 
     for p, q in [(1, 1), (2, 4), (3, 3), (5, 2), (4, 5), (0, 3)] * 5:
-        first, second = (Chains(np.sort(rng.random(n)), rng.uniform(-3, 3, n)) for n in (p, q))
+        first, second = (Chain(np.sort(rng.random(n)), rng.uniform(-3, 3, n)) for n in (p, q))
         every = [
             price(first, second, list(zip(a, b, strict=True)))
             for k in range(min(p, q) + 1)
             for a in combinations(range(p), k)
             for b in combinations(range(q), k)
         ]
-        found = align(first, second, Task())
+        prices = chain_prices(first, second)
+        found = align(prices, Task())
         assert price(first, second, found) == pytest.approx(min(every), abs=1e-12)
-        assert alignment_prices(first, second, Task()) == pytest.approx(min(every), abs=1e-12)
+        assert alignment_prices(prices, Task()) == pytest.approx(min(every), abs=1e-12)
 
 
 @pytest.mark.parametrize("seed", range(20))

@@ -1,0 +1,112 @@
+"""Which salient vertices of two outlines correspond: the cheapest alignment once round.
+
+The prices are works in the manner of Sederberg and Greenwood 1992, "A Physically Based Approach to 2-D Shape
+Blending": of bending, at a vertex and over longer reaches, and of stretching, as the drift of the shares of
+the length. Besides, after the rotation that fits the whole shape best, a vertex should lie in the same place
+and the outline run the same way there; that rotation has its price, for people expect the upright alignment.
+"""
+
+import numpy as np
+
+from starskel.correspondence.alignment import Prices, align, alignment_prices
+from starskel.correspondence.landmarks import Complexes, Indices, Landmarks
+from starskel.predicates import Floats
+from starskel.task import Task
+
+STRETCH_PRICE = 1.0
+"""The price of a difference in share by the whole length."""
+
+TURN_PRICE = 0.3
+"""The price of a difference in turning angle by pi; so are the others of angles."""
+
+BEND_PRICE = 0.2
+PLACE_PRICE = 0.1
+"""The price of a distance by the radius of gyration."""
+
+DIRECTION_PRICE = 0.1
+ALONE_PRICE = 0.2
+"""The price of a landmark without a partner, beside that of its turning angle."""
+
+LEAST_WEIGHT = 0.2
+"""The weight of a match where neither outline bends at all, against one of right angles."""
+
+ROTATION_PRICE = 0.1
+"""The price, for each landmark, of turning the whole shape by pi."""
+
+_STARTS = 8
+"""So many of the source's landmarks, the most salient, are tried as a start with all of the target's."""
+
+
+def aligned_landmarks(first: Landmarks, second: Landmarks, task: Task) -> tuple[Indices, Indices]:
+    """Give which landmarks of both correspond, in the order round the outlines."""
+    most_salient = np.argsort(-first.saliences, kind="stable")[:_STARTS]
+    i, j = (grid.ravel() for grid in np.meshgrid(most_salient, np.arange(len(second)), indexing="ij"))
+    rotations = _rotations(first.samples[i], second.samples[j])
+    task.reach(0)
+    bending = _bending_prices(first, second)
+    prices = _prices_from(first, second, (i, j), rotations, bending)
+    totals = bending[i, j] + alignment_prices(prices, task)
+    totals += ROTATION_PRICE / np.pi * np.abs(np.angle(rotations)) * max(len(first), len(second))
+    best = int(np.argmin(totals))
+    one = Prices(prices.match[best], prices.first_alone[best], prices.second_alone[best])
+    pairs = np.array([(-1, -1), *align(one, task)], dtype=np.intp) + 1
+    return (i[best] + pairs[:, 0]) % len(first), (j[best] + pairs[:, 1]) % len(second)
+
+
+def _bending_prices(first: Landmarks, second: Landmarks) -> Floats:
+    """Give the price of the difference in turns and bends, for each pair of landmarks."""
+    turns = np.abs(np.subtract.outer(first.turns, second.turns))
+    bends = np.mean(
+        [_angles(np.subtract.outer(a, b)) for a, b in zip(first.bends[1:], second.bends[1:], strict=True)],
+        axis=0,
+    )
+    return np.asarray(TURN_PRICE / np.pi * turns + BEND_PRICE / np.pi * bends)
+
+
+def _angles(differences: Floats) -> Floats:
+    return np.abs((differences + np.pi) % (2 * np.pi) - np.pi)
+
+
+def _rotations(first: Complexes, second: Complexes) -> Complexes:
+    """Give for each pair of rows the rotation that brings the one nearest to the other, in least squares."""
+    return np.asarray(np.exp(1j * np.angle((np.conj(first) * second).sum(axis=1))))
+
+
+def _prices_from(
+    first: Landmarks,
+    second: Landmarks,
+    starts: tuple[Indices, Indices],
+    rotations: Complexes,
+    bending: Floats,
+) -> Prices:
+    """Give the prices for all landmarks but the starts, in order from each of these."""
+    rows, columns = (
+        (start[:, None] + np.arange(1, len(outline))) % len(outline)
+        for start, outline in zip(starts, (first, second), strict=True)
+    )
+    shares = [
+        (outline.shares[order] - outline.shares[start][:, None]) % 1
+        for outline, order, start in zip((first, second), (rows, columns), starts, strict=True)
+    ]
+    match = bending[rows[:, :, None], columns[:, None, :]]
+    match += STRETCH_PRICE * np.abs(shares[0][:, :, None] - shares[1][:, None, :])
+    positions = first.positions[rows] * rotations[:, None]
+    match += PLACE_PRICE * np.abs(positions[:, :, None] - second.positions[columns][:, None, :])
+    directions = first.directions[rows] * rotations[:, None]
+    ratios = directions[:, :, None] * np.conj(second.directions[columns])[:, None, :]
+    match += DIRECTION_PRICE / np.pi * np.abs(np.angle(ratios))
+    match *= _weights(first, second)[rows[:, :, None], columns[:, None, :]]
+    alone = [ALONE_PRICE + TURN_PRICE / np.pi * np.abs(outline.turns) for outline in (first, second)]
+    return Prices(match, alone[0][rows], alone[1][columns])
+
+
+def _weights(first: Landmarks, second: Landmarks) -> Floats:
+    """Tell how much a match counts: that of tips and notches more than that of points on long bends."""
+    return np.asarray(LEAST_WEIGHT + 2 * np.maximum.outer(first.saliences, second.saliences))
+
+
+def likeness(first: Landmarks, second: Landmarks, i: Indices, j: Indices) -> Floats:
+    """Tell how much alike pairs of landmarks bend, from 0 to 1."""
+    bends = _angles(first.bends[:, i] - second.bends[:, j]).mean(axis=0)
+    turns = _angles(first.turns[i] - second.turns[j])
+    return np.asarray((1 - bends / np.pi) * (1 - turns / np.pi))
