@@ -43,9 +43,8 @@ def aligned_landmarks(first: Landmarks, second: Landmarks, task: Task) -> tuple[
     i, j = (grid.ravel() for grid in np.meshgrid(most_salient, np.arange(len(second)), indexing="ij"))
     rotations = _rotations(first.samples[i], second.samples[j])
     task.reach(0)
-    bending = _bending_prices(first, second)
-    prices = _prices_from(first, second, (i, j), rotations, bending)
-    totals = bending[i, j] + alignment_prices(prices, task)
+    starting, prices = _prices_from(first, second, (i, j), rotations)
+    totals = starting + alignment_prices(prices, task)
     totals += ROTATION_PRICE / np.pi * np.abs(np.angle(rotations)) * max(len(first), len(second))
     best = int(np.argmin(totals))
     one = Prices(prices.match[best], prices.first_alone[best], prices.second_alone[best])
@@ -77,18 +76,17 @@ def _prices_from(
     second: Landmarks,
     starts: tuple[Indices, Indices],
     rotations: Complexes,
-    bending: Floats,
-) -> Prices:
-    """Give the prices for all landmarks but the starts, in order from each of these."""
+) -> tuple[Floats, Prices]:
+    """Give the prices of matching the starts, and those for all other landmarks in order from there."""
     rows, columns = (
-        (start[:, None] + np.arange(1, len(outline))) % len(outline)
+        (start[:, None] + np.arange(len(outline))) % len(outline)
         for start, outline in zip(starts, (first, second), strict=True)
     )
     shares = [
         (outline.shares[order] - outline.shares[start][:, None]) % 1
         for outline, order, start in zip((first, second), (rows, columns), starts, strict=True)
     ]
-    match = bending[rows[:, :, None], columns[:, None, :]]
+    match = _bending_prices(first, second)[rows[:, :, None], columns[:, None, :]]
     match += STRETCH_PRICE * np.abs(shares[0][:, :, None] - shares[1][:, None, :])
     positions = first.positions[rows] * rotations[:, None]
     match += PLACE_PRICE * np.abs(positions[:, :, None] - second.positions[columns][:, None, :])
@@ -97,7 +95,8 @@ def _prices_from(
     match += DIRECTION_PRICE / np.pi * np.abs(np.angle(ratios))
     match *= _weights(first, second)[rows[:, :, None], columns[:, None, :]]
     alone = [ALONE_PRICE + TURN_PRICE / np.pi * np.abs(outline.turns) for outline in (first, second)]
-    return Prices(match, alone[0][rows], alone[1][columns])
+    rest = Prices(match[:, 1:, 1:], alone[0][rows[:, 1:]], alone[1][columns[:, 1:]])
+    return match[:, 0, 0], rest
 
 
 def _weights(first: Landmarks, second: Landmarks) -> Floats:

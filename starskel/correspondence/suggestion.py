@@ -34,7 +34,7 @@ def suggest_marks(
     Returns
     -------
     list of (int, int)
-        Indices of the points given, as `match` takes them, in the order round the source.
+        Indices of the points given, as `match` takes them, in the order of the source's.
 
     Raises
     ------
@@ -54,7 +54,7 @@ def suggest_marks(
         return []
     rings = polygons[0].vertices, polygons[1].vertices
     if precedes(rings[1], rings[0]):
-        own = sorted((i, j) for j, i in proposed_marks(rings[::-1], count, task))
+        own = [(i, j) for j, i in proposed_marks(rings[::-1], count, task)]
     else:
         own = proposed_marks(rings, count, task)
-    return [(polygons[0].vertex_of(i), polygons[1].vertex_of(j)) for i, j in own]
+    return sorted((polygons[0].vertex_of(i), polygons[1].vertex_of(j)) for i, j in own)
