@@ -9,7 +9,7 @@ and the outline run the same way there; that rotation has its price, for people 
 import numpy as np
 
 from starskel.correspondence.alignment import Prices, align, alignment_prices
-from starskel.correspondence.landmarks import Complexes, Indices, Landmarks
+from starskel.correspondence.landmarks import EXACT_DIGITS, Complexes, Indices, Landmarks
 from starskel.predicates import Floats
 from starskel.task import Task
 
@@ -33,23 +33,32 @@ LEAST_WEIGHT = 0.2
 ROTATION_PRICE = 0.1
 """The price, for each landmark, of turning the whole shape by pi."""
 
-_STARTS = 8
-"""So many of the source's landmarks, the most salient, are tried as a start with all of the target's."""
+_SALIENT, _COUNTERPARTS = 8, 32
+"""So many landmarks of each outline, the most salient, are tried as starts with so many of the other."""
 
 
 def aligned_landmarks(first: Landmarks, second: Landmarks, task: Task) -> tuple[Indices, Indices]:
     """Give which landmarks of both correspond, in the order round the outlines."""
-    most_salient = np.argsort(-first.saliences, kind="stable")[:_STARTS]
-    i, j = (grid.ravel() for grid in np.meshgrid(most_salient, np.arange(len(second)), indexing="ij"))
+    i, j = _starts(first.saliences, second.saliences)
     rotations = _rotations(first.samples[i], second.samples[j])
     task.reach(0)
     starting, prices = _prices_from(first, second, (i, j), rotations)
     totals = starting + alignment_prices(prices, task)
     totals += ROTATION_PRICE / np.pi * np.abs(np.angle(rotations)) * max(len(first), len(second))
-    best = int(np.argmin(totals))
+    best = int(np.argmin(totals.round(EXACT_DIGITS)))
     one = Prices(prices.match[best], prices.first_alone[best], prices.second_alone[best])
     pairs = np.array([(-1, -1), *align(one, task)], dtype=np.intp) + 1
     return (i[best] + pairs[:, 0]) % len(first), (j[best] + pairs[:, 1]) % len(second)
+
+
+def _starts(first: Floats, second: Floats) -> tuple[Indices, Indices]:
+    """Give the pairs of landmarks to try, from their saliences."""
+    ranks = [
+        np.argsort(np.argsort(-saliences.round(EXACT_DIGITS), kind="stable")) for saliences in (first, second)
+    ]
+    lower, higher = np.minimum.outer(*ranks), np.maximum.outer(*ranks)
+    i, j = np.nonzero((lower < _SALIENT) & (higher < _COUNTERPARTS))
+    return i, j
 
 
 def _bending_prices(first: Landmarks, second: Landmarks) -> Floats:

@@ -27,6 +27,9 @@ _SHORTER = 3
 """So many of the reaches tell tips and notches from what bends at large."""
 
 _SAMPLES = 64
+EXACT_DIGITS = 12
+"""So many decimals are compared: what differs by rounding alone, as moving and scaling make it, is equal."""
+
 _UNWATCHED = 64
 """So many vertices are removed between two questions whether to stop."""
 
@@ -135,4 +138,4 @@ def _contribution(before: complex, here: complex, after: complex) -> float:
     first, second = here - before, after - here
     product = second * first.conjugate()
     lengths = abs(first) * abs(second) / (abs(first) + abs(second)) if product else 0.0
-    return float(abs(np.arctan2(product.imag, product.real)) * lengths)
+    return round(float(abs(np.arctan2(product.imag, product.real)) * lengths), EXACT_DIGITS)

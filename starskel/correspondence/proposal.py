@@ -3,7 +3,7 @@
 import numpy as np
 
 from starskel.correspondence.cyclic import aligned_landmarks, likeness
-from starskel.correspondence.landmarks import Landmarks
+from starskel.correspondence.landmarks import EXACT_DIGITS, Landmarks
 from starskel.correspondence.marks import Mark
 from starskel.predicates import Floats
 from starskel.task import Task
@@ -27,7 +27,7 @@ def proposed_marks(rings: tuple[Floats, Floats], count: int, task: Task) -> list
 
 def _spread(values: Floats, shares: tuple[Floats, Floats], count: int) -> list[int]:
     """Choose one by one what has the most value, the more so the farther it is from those chosen."""
-    chosen = [int(np.argmax(values))]
+    chosen = [_largest(values)]
     gaps = np.ones(len(values))
     while len(chosen) < count:
         for own in shares:
@@ -36,5 +36,9 @@ def _spread(values: Floats, shares: tuple[Floats, Floats], count: int) -> list[i
         eligible = (gaps >= NEAREST / count) & (values >= LEAST_VALUE)
         if not eligible.any():
             break
-        chosen.append(int(np.argmax(np.where(eligible, values * gaps, -1))))
+        chosen.append(_largest(np.where(eligible, values * gaps, -1)))
     return chosen
+
+
+def _largest(values: Floats) -> int:
+    return int(np.argmax(values.round(EXACT_DIGITS)))

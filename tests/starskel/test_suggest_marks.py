@@ -55,6 +55,12 @@ def test_exchanging_the_shapes_mirrors_the_marks(shape_pair):
     assert mirrored == sorted((j, i) for i, j in marks)
 
 
+def test_moving_and_scaling_the_shapes_changes_nothing(shape_pair):
+    source, target = shape_pair.source.vertices, shape_pair.target.vertices
+    marks = starskel.suggest_marks(source, target)
+    assert starskel.suggest_marks(source * 1e-3 + 5, target * 42 - [1e3, 7]) == marks
+
+
 def test_marks_removed_and_suggested_anew_are_about_the_same(shape_pair):
     """Partners as far apart as a sixteenth of the outline are still neighbours."""
     if shape_pair.id == "spiral-opposite":
