@@ -33,6 +33,9 @@ LEAST_WEIGHT = 0.2
 ROTATION_PRICE = 0.1
 """The price, for each landmark, of turning the whole shape by pi."""
 
+_BATCH = 32
+"""So many starts are priced together: what they need stays in the processor's cache."""
+
 _SALIENT, _COUNTERPARTS = 8, 32
 """So many landmarks of each outline, the most salient, are tried as starts with so many of the other."""
 
@@ -40,15 +43,25 @@ _SALIENT, _COUNTERPARTS = 8, 32
 def aligned_landmarks(first: Landmarks, second: Landmarks, task: Task) -> tuple[Indices, Indices]:
     """Give which landmarks of both correspond, in the order round the outlines."""
     i, j = _starts(first.saliences, second.saliences)
-    rotations = _rotations(first.samples[i], second.samples[j])
-    task.reach(0)
-    starting, prices = _prices_from(first, second, (i, j), rotations)
-    totals = starting + alignment_prices(prices, task)
-    totals += ROTATION_PRICE / np.pi * np.abs(np.angle(rotations)) * max(len(first), len(second))
-    best = int(np.argmin(totals.round(EXACT_DIGITS)))
-    one = Prices(prices.match[best], prices.first_alone[best], prices.second_alone[best])
+    totals = np.concatenate(
+        [
+            _totals(first, second, (i[k : k + _BATCH], j[k : k + _BATCH]), task)
+            for k in range(0, len(i), _BATCH)
+        ]
+    )
+    best = [int(np.argmin(totals.round(EXACT_DIGITS)))]
+    _, prices = _prices_from(first, second, (i[best], j[best]))
+    one = Prices(prices.match[0], prices.first_alone[0], prices.second_alone[0])
     pairs = np.array([(-1, -1), *align(one, task)], dtype=np.intp) + 1
     return (i[best] + pairs[:, 0]) % len(first), (j[best] + pairs[:, 1]) % len(second)
+
+
+def _totals(first: Landmarks, second: Landmarks, starts: tuple[Indices, Indices], task: Task) -> Floats:
+    """Give the price of the cheapest alignment from each of the starts."""
+    task.reach(0)
+    starting, prices = _prices_from(first, second, starts)
+    rotations = ROTATION_PRICE / np.pi * np.abs(np.angle(_rotations(first, second, starts)))
+    return np.asarray(starting + alignment_prices(prices, task) + rotations * max(len(first), len(second)))
 
 
 def _starts(first: Floats, second: Floats) -> tuple[Indices, Indices]:
@@ -75,16 +88,14 @@ def _angles(differences: Floats) -> Floats:
     return np.abs((differences + np.pi) % (2 * np.pi) - np.pi)
 
 
-def _rotations(first: Complexes, second: Complexes) -> Complexes:
-    """Give for each pair of rows the rotation that brings the one nearest to the other, in least squares."""
-    return np.asarray(np.exp(1j * np.angle((np.conj(first) * second).sum(axis=1))))
+def _rotations(first: Landmarks, second: Landmarks, starts: tuple[Indices, Indices]) -> Complexes:
+    """Give the rotations that bring the first outline nearest to the second, in least squares."""
+    products = np.conj(first.samples[starts[0]]) * second.samples[starts[1]]
+    return np.asarray(np.exp(1j * np.angle(products.sum(axis=1))))
 
 
 def _prices_from(
-    first: Landmarks,
-    second: Landmarks,
-    starts: tuple[Indices, Indices],
-    rotations: Complexes,
+    first: Landmarks, second: Landmarks, starts: tuple[Indices, Indices]
 ) -> tuple[Floats, Prices]:
     """Give the prices of matching the starts, and those for all other landmarks in order from there."""
     rows, columns = (
@@ -97,9 +108,10 @@ def _prices_from(
     ]
     match = _bending_prices(first, second)[rows[:, :, None], columns[:, None, :]]
     match += STRETCH_PRICE * np.abs(shares[0][:, :, None] - shares[1][:, None, :])
-    positions = first.positions[rows] * rotations[:, None]
+    rotations = _rotations(first, second, starts)[:, None]
+    positions = first.positions[rows] * rotations
     match += PLACE_PRICE * np.abs(positions[:, :, None] - second.positions[columns][:, None, :])
-    directions = first.directions[rows] * rotations[:, None]
+    directions = first.directions[rows] * rotations
     ratios = directions[:, :, None] * np.conj(second.directions[columns])[:, None, :]
     match += DIRECTION_PRICE / np.pi * np.abs(np.angle(ratios))
     match *= _weights(first, second)[rows[:, :, None], columns[:, None, :]]
