@@ -23,7 +23,7 @@ BEND_PRICE = 0.2
 PLACE_PRICE = 0.1
 """The price of a distance by the radius of gyration."""
 
-DIRECTION_PRICE = 0.1
+DIRECTION_PRICE = 0.05
 ALONE_PRICE = 0.2
 """The price of a landmark without a partner, beside that of its turning angle."""
 
