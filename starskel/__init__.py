@@ -20,7 +20,7 @@ from starskel.errors import (
 if TYPE_CHECKING:
     from starskel.blending.blend import blend
     from starskel.blending.frames import Blend
-    from starskel.correspondence import Correspondence, match
+    from starskel.correspondence import Correspondence, match, suggest_marks
     from starskel.decomposition import decompose
     from starskel.decomposition.pieces import Decomposition
     from starskel.polygon import Polygon
@@ -46,6 +46,7 @@ __all__ = [
     "decompose",
     "match",
     "measure",
+    "suggest_marks",
 ]
 
 _HOMES = {
@@ -59,6 +60,7 @@ _HOMES = {
     "decompose": "starskel.decomposition",
     "match": "starskel.correspondence",
     "measure": "starskel.quality",
+    "suggest_marks": "starskel.correspondence",
 }
 
 

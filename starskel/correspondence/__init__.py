@@ -2,5 +2,6 @@
 
 from starskel.correspondence.match import PolygonLike, match
 from starskel.correspondence.pair import Correspondence
+from starskel.correspondence.suggestion import suggest_marks
 
-__all__ = ["Correspondence", "PolygonLike", "match"]
+__all__ = ["Correspondence", "PolygonLike", "match", "suggest_marks"]

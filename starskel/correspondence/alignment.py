@@ -1,6 +1,7 @@
-"""Which vertices of two outlines correspond: the cheapest monotone alignment, by dynamic programming.
+"""The cheapest monotone alignment of two sequences, by dynamic programming; that of two chains of vertices.
 
-A match costs the differences in share of the length and in turning angle; a vertex left alone has its price.
+In chains a match costs the differences in share of the length and in turning angle; a vertex left alone has
+its price.
 """
 
 from dataclasses import dataclass
@@ -25,39 +26,28 @@ _MATCH, _SKIP_FIRST, _SKIP_SECOND = 0, 1, 2
 
 
 @dataclass(frozen=True, eq=False)
-class Chains:
-    """The inner vertices of chains of an outline: shares of the chain's length, and turning angles.
+class Prices:
+    """What aligning two sequences costs.
 
     Attributes
     ----------
-    shares, turns : (..., p) arrays
-        Leading axes hold alternatives that are aligned side by side.
+    match : (..., p, q) array
+        The price of matching each of the first with each of the second.
+    first_alone : (..., p) array
+    second_alone : (..., q) array
+        The prices of leaving them alone. Leading axes hold alternatives that are aligned side by side.
     """
 
-    shares: Floats
-    turns: Floats
-
-    @classmethod
-    def of(cls, ring: Floats, start: int, end: int) -> "Chains":
-        """Give the chain from one vertex of a ring to another, all the way round where they are the same."""
-        n = len(ring)
-        edges = (start + np.arange((end - start - 1) % n + 1)) % n
-        arcs = np.cumsum(edge_lengths(ring)[edges])
-        return cls(arcs[:-1] / arcs[-1], turning_angles(ring)[edges[1:]])
-
-    @classmethod
-    def round(cls, ring: Floats, starts: NDArray[np.intp]) -> "Chains":
-        """Give for each start the chain from there all the way round."""
-        order = (starts[:, None] + np.arange(len(ring))) % len(ring)
-        arcs = np.cumsum(edge_lengths(ring)[order], axis=1)
-        return cls(arcs[:, :-1] / arcs[:, -1:], turning_angles(ring)[order[:, 1:]])
+    match: Floats
+    first_alone: Floats
+    second_alone: Floats
 
 
-def align(first: Chains, second: Chains, task: Task) -> list[tuple[int, int]]:
-    """Give the matched pairs of inner vertices of two chains, in order."""
-    _, moves = _cheapest(first, second, task, keep_moves=True)
+def align(prices: Prices, task: Task) -> list[tuple[int, int]]:
+    """Give the matched pairs of the cheapest alignment, in order."""
+    _, moves = _cheapest(prices, task, keep_moves=True)
     pairs = []
-    i, j = first.shares.shape[-1], second.shares.shape[-1]
+    i, j = prices.match.shape
     while i and j:
         move = moves[i + j][i]
         i -= move != _SKIP_SECOND
@@ -67,22 +57,24 @@ def align(first: Chains, second: Chains, task: Task) -> list[tuple[int, int]]:
     return pairs[::-1]
 
 
-def alignment_prices(first: Chains, second: Chains, task: Task) -> Floats:
-    """Give the price of the cheapest alignment of the chains, for each of the alternatives."""
-    return _cheapest(first, second, task, keep_moves=False)[0]
+def alignment_prices(prices: Prices, task: Task) -> Floats:
+    """Give the price of the cheapest alignment, for each of the alternatives."""
+    return _cheapest(prices, task, keep_moves=False)[0]
 
 
-def _cheapest(
-    first: Chains, second: Chains, task: Task, keep_moves: bool
-) -> tuple[Floats, list[NDArray[np.int8]]]:
-    """Fill the table of prices by anti-diagonals; cell (i, j) aligns the first i and j inner vertices.
+def _cheapest(prices: Prices, task: Task, keep_moves: bool) -> tuple[Floats, list[NDArray[np.int8]]]:
+    """Fill the table of prices by anti-diagonals; cell (i, j) aligns the first i and the first j.
 
-    Whole diagonals at once, with the second chain reversed so that both are read forwards. Column i of a
-    diagonal stands at i + 1, behind a column of infinities.
+    Column i of a diagonal stands at i + 1, behind a column of infinities. The prices of matching lie so that
+    those of a diagonal are evenly spaced in memory.
     """
-    p, q = first.shares.shape[-1], second.shares.shape[-1]
-    one, other = _padded(first, front=True), _padded(second, front=False)
-    blank = np.full((*np.broadcast_shapes(first.shares.shape[:-1], second.shares.shape[:-1]), p + 2), np.inf)
+    *alternatives, p, q = prices.match.shape
+    margins = [(0, 0)] * len(alternatives)
+    match = np.pad(prices.match, [*margins, (1, 0), (1, 1)], constant_values=np.inf)
+    match = match.reshape(*alternatives, (p + 1) * (q + 2))
+    first = np.pad(prices.first_alone, [*margins, (1, 0)], constant_values=np.inf)
+    second = np.pad(prices.second_alone, [*margins, (1, 0)], constant_values=np.inf)[..., ::-1]
+    blank = np.full((*alternatives, p + 2), np.inf)
     before, last = blank, blank.copy()
     last[..., 1] = 0.0
     moves = [np.zeros(p + 1, dtype=np.int8)]
@@ -91,40 +83,41 @@ def _cheapest(
             task.reach(0)
         low, high = max(0, diagonal - q), min(p, diagonal) + 1
         rows, columns = slice(low, high), slice(q - diagonal + low, q - diagonal + high)
-        match = np.abs(one.shares[..., rows] - other.shares[..., columns])
-        match += np.abs(one.turns[..., rows] - other.turns[..., columns]) + before[..., rows]
-        skip_first = last[..., rows] + one.alone[..., rows]
-        skip_second = last[..., low + 1 : high + 1] + other.alone[..., columns]
+        cells = slice(diagonal + low * (q + 1), diagonal + (high - 1) * (q + 1) + 1, q + 1)
+        matched = match[..., cells] + before[..., rows]
+        skip_first = last[..., rows] + first[..., rows]
+        skip_second = last[..., low + 1 : high + 1] + second[..., columns]
         skip = np.minimum(skip_first, skip_second)
         before, last = last, blank.copy()
-        last[..., low + 1 : high + 1] = np.minimum(match, skip)
+        last[..., low + 1 : high + 1] = np.minimum(matched, skip)
         if keep_moves:
             move = np.zeros(p + 1, dtype=np.int8)
             move[rows] = np.where(
-                match <= skip, _MATCH, np.where(skip_first <= skip_second, _SKIP_FIRST, _SKIP_SECOND)
+                matched <= skip, _MATCH, np.where(skip_first <= skip_second, _SKIP_FIRST, _SKIP_SECOND)
             )
             moves.append(move)
     return last[..., p + 1], moves
 
 
 @dataclass(frozen=True, eq=False)
-class _Padded:
-    """Chains in the units of the price, with one vertex more that fits nothing."""
+class Chain:
+    """The p inner vertices of a chain of an outline: shares of the chain's length, and turning angles."""
 
     shares: Floats
     turns: Floats
-    alone: Floats
+
+    @classmethod
+    def of(cls, ring: Floats, start: int, end: int) -> "Chain":
+        """Give the chain from one vertex of a ring to another, all the way round where they are the same."""
+        n = len(ring)
+        edges = (start + np.arange((end - start - 1) % n + 1)) % n
+        arcs = np.cumsum(edge_lengths(ring)[edges])
+        return cls(arcs[:-1] / arcs[-1], turning_angles(ring)[edges[1:]])
 
 
-def _padded(chains: Chains, front: bool) -> _Padded:
-    """Put the extra vertex in front; or reverse the chain and put it at the end."""
-    turns = TURN_PRICE / np.pi * chains.turns
-    rows = (chains.shares, turns, ALONE_PRICE + np.abs(turns))
-    width = [(0, 0)] * (chains.shares.ndim - 1) + [(1, 0) if front else (0, 1)]
-    shares, turns, alone = (
-        np.pad(row if front else row[..., ::-1], width, constant_values=value)
-        for row, value in zip(rows, (np.inf, 0.0, np.inf), strict=True)
-    )
-    if not front:
-        shares[..., -1] = -np.inf  # infinitely far from the first chain's extra vertex, too
-    return _Padded(shares, turns, alone)
+def chain_prices(first: Chain, second: Chain) -> Prices:
+    """Give what aligning two chains costs."""
+    turns = TURN_PRICE / np.pi * first.turns, TURN_PRICE / np.pi * second.turns
+    match = np.abs(np.subtract.outer(first.shares, second.shares))
+    match += np.abs(np.subtract.outer(*turns))
+    return Prices(match, ALONE_PRICE + np.abs(turns[0]), ALONE_PRICE + np.abs(turns[1]))

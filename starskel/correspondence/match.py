@@ -7,11 +7,11 @@ import numpy as np
 import shapely
 from numpy.typing import ArrayLike, NDArray
 
-from starskel.correspondence.alignment import Chains, align
+from starskel.correspondence.alignment import Chain, align, chain_prices
 from starskel.correspondence.insertion import inserted, merged
 from starskel.correspondence.marks import Mark, as_marks, checked_marks
 from starskel.correspondence.pair import Correspondence
-from starskel.correspondence.start import best_start
+from starskel.correspondence.proposal import proposed_marks
 from starskel.outline import precedes
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
@@ -19,6 +19,9 @@ from starskel.task import ShouldStop, Task
 
 Number = TypeVar("Number", np.float64, np.intp)
 PolygonLike: TypeAlias = Polygon | shapely.Polygon | ArrayLike
+
+UNMARKED = 8
+"""So many marks are proposed where none are given."""
 
 
 def match(
@@ -33,8 +36,7 @@ def match(
     The marks cut both outlines into chains, whose vertices are aligned by share of the length and by turning
     angle. A vertex left alone gets a new partner on an edge of the other polygon, by edge lengths between its
     matched neighbours (paper, section 5). The shapes do not change, and exchanging them gives the same pairs
-    of vertices. Without marks the outlines are aligned from the start that suits them best; of two about as
-    good, it is the one that turns the shape less.
+    of vertices. Without marks those are used that `suggest_marks` proposes.
 
     Parameters
     ----------
@@ -54,7 +56,7 @@ def match(
         If ``should_stop`` answered True.
     """
     task = Task(should_stop=should_stop)
-    polygons = _as_polygon(source), _as_polygon(target)
+    polygons = as_polygon(source), as_polygon(target)
     task.reach(0)
     given = as_marks(marks)
     own = checked_marks(*polygons, given)
@@ -70,7 +72,8 @@ def match(
     return Correspondence(source_ring, target_ring, given, source_rows, target_rows)
 
 
-def _as_polygon(shape: PolygonLike) -> Polygon:
+def as_polygon(shape: PolygonLike) -> Polygon:
+    """Give the shape as a checked polygon."""
     return shape if isinstance(shape, Polygon) else Polygon(shape)
 
 
@@ -78,7 +81,7 @@ def _completed(
     rings: tuple[Floats, Floats], marks: list[Mark], task: Task
 ) -> tuple[tuple[Floats, Floats], NDArray[np.intp]]:
     """Give both rings with as many points, and for each of these the vertex, or -1."""
-    matched = _aligned(*rings, sorted(marks) or [best_start(*rings, task)], task)
+    matched = _aligned(*rings, sorted(marks) or proposed_marks(rings, UNMARKED, task), task)
     rows = merged(rings, np.array(matched, dtype=np.intp))
     return (inserted(rings[0], rows, 0), inserted(rings[1], rows, 1)), rows.vertices
 
@@ -87,7 +90,7 @@ def _aligned(source: Floats, target: Floats, marks: list[Mark], task: Task) -> l
     """Give all pairs of vertices that correspond, in the order round the source from the first mark."""
     matched: list[Mark] = []
     for (i, j), (next_i, next_j) in zip(marks, [*marks[1:], marks[0]], strict=True):
-        pairs = align(Chains.of(source, i, next_i), Chains.of(target, j, next_j), task)
+        pairs = align(chain_prices(Chain.of(source, i, next_i), Chain.of(target, j, next_j)), task)
         matched.append((i, j))
         matched += [((i + 1 + k) % len(source), (j + 1 + m) % len(target)) for k, m in pairs]
     return matched

@@ -9,6 +9,7 @@ NAMES = {
     "Polygon",
     "Correspondence",
     "match",
+    "suggest_marks",
     "decompose",
     "Decomposition",
     "blend",

@@ -1,0 +1,60 @@
+"""Marks suggested from the shapes alone."""
+
+from starskel.correspondence.marks import Mark
+from starskel.correspondence.match import PolygonLike, as_polygon
+from starskel.correspondence.proposal import proposed_marks
+from starskel.errors import StarskelError
+from starskel.outline import precedes
+from starskel.task import ShouldStop, Task
+
+
+def suggest_marks(
+    source: PolygonLike,
+    target: PolygonLike,
+    count: int = 8,
+    *,
+    should_stop: ShouldStop | None = None,
+) -> list[Mark]:
+    """Propose vertices that correspond, from the shapes alone.
+
+    The salient vertices of both outlines are aligned once round, in order, at the least work of stretching
+    and bending (in the manner of Sederberg and Greenwood 1992); of the pairs those are taken that are most
+    salient and alike, well spread round the outline. Position and scale of the shapes do not matter; of
+    rotations the smaller is preferred, where it fits about as well. Exchanging the shapes gives the same
+    marks mirrored.
+
+    Parameters
+    ----------
+    source, target : Polygon, shapely Polygon or (n, 2) array-like
+    count : int
+        How many marks, at most; there are fewer where the shapes have fewer salient vertices in common.
+    should_stop : callable, optional
+        Asked often whether to give up.
+
+    Returns
+    -------
+    list of (int, int)
+        Indices of the points given, as `match` takes them, in the order of the source's.
+
+    Raises
+    ------
+    InvalidPolygon
+        Where the points form no simple polygon.
+    StarskelError
+        If `count` is negative.
+    Cancelled
+        If ``should_stop`` answered True.
+    """
+    if count < 0:
+        raise StarskelError(f"{count} marks cannot be suggested", "give 0 or more")
+    task = Task(should_stop=should_stop)
+    polygons = as_polygon(source), as_polygon(target)
+    task.reach(0)
+    if count == 0:
+        return []
+    rings = polygons[0].vertices, polygons[1].vertices
+    if precedes(rings[1], rings[0]):
+        own = [(i, j) for j, i in proposed_marks(rings[::-1], count, task)]
+    else:
+        own = proposed_marks(rings, count, task)
+    return sorted((polygons[0].vertex_of(i), polygons[1].vertex_of(j)) for i, j in own)
