@@ -53,6 +53,8 @@ def _corners(points: Points, ring: Indices) -> Indices:
 
 def _clip(ring: Floats) -> Floats:
     """Cut the box of the ring to the left sides of all edges."""
+    if not len(ring):  # all vertices lie on one line
+        return ring
     (left, low), (right, high) = ring.min(axis=0), ring.max(axis=0)
     cell = np.array([(left, low), (right, low), (right, high), (left, high)])
     for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):

@@ -61,10 +61,11 @@ def test_moving_and_scaling_the_shapes_changes_nothing(shape_pair):
     assert starskel.suggest_marks(source * 1e-3 + 5, target * 42 - [1e3, 7]) == marks
 
 
-def test_marks_removed_and_suggested_anew_are_about_the_same(shape_pair):
+def test_marks_removed_and_suggested_anew_are_about_the_same(shape_pair, request):
     """Partners as far apart as a sixteenth of the outline are still neighbours."""
     if shape_pair.id == "spiral-opposite":
-        pytest.skip("from the outlines' bends alone it is best turned inside out")
+        reason = "from the outlines' bends alone it is best turned inside out"
+        request.applymarker(pytest.mark.xfail(reason=reason, strict=True))
     completed = starskel.match(shape_pair.source, shape_pair.target, shape_pair.marks)
     marks = np.array(starskel.suggest_marks(shape_pair.source, shape_pair.target))
     expected = partners(completed)[marks[:, 0]]

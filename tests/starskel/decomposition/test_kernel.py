@@ -1,0 +1,40 @@
+import numpy as np
+
+from starskel.decomposition.kernel import is_star_point, star_point, star_vertices
+from starskel.points import points_of
+from tests.families import comb, subdivided, turned
+
+L_SHAPE = np.array([(0, 0), (4, 0), (4, 1), (1, 1), (1, 4), (0, 4)], dtype=float)
+
+
+def rows(ring):
+    return np.arange(len(ring))
+
+
+def test_star_vertices_of_an_angle():
+    np.testing.assert_array_equal(np.flatnonzero(star_vertices(points_of(L_SHAPE), rows(L_SHAPE))), [0, 3])
+
+
+def test_the_star_point_is_the_centroid_of_the_kernel():
+    place = star_point(points_of(L_SHAPE), rows(L_SHAPE))
+    np.testing.assert_allclose(place, (0.5, 0.5))
+    assert is_star_point(L_SHAPE, place)
+    assert not is_star_point(L_SHAPE, np.array((2.0, 0.5)))
+
+
+def test_a_comb_has_no_star_point():
+    ring = comb(3)
+    assert star_point(points_of(ring), rows(ring)) is None
+    assert not star_vertices(points_of(ring), rows(ring)).any()
+
+
+def test_straight_runs_bound_nothing_however_they_are_turned():
+    ring = turned(subdivided(L_SHAPE, 3), 0.3)
+    stars = np.flatnonzero(star_vertices(points_of(ring), rows(ring)))
+    np.testing.assert_array_equal(stars, [0, 9])
+    np.testing.assert_allclose(turned(star_point(points_of(ring), rows(ring))[None], -0.3)[0], (0.5, 0.5))
+
+
+def test_vertices_on_one_line_have_no_star_point():
+    points = points_of(subdivided(L_SHAPE, 3))
+    assert star_point(points, np.arange(3)) is None
