@@ -12,6 +12,7 @@ from starskel.correspondence.insertion import inserted, merged
 from starskel.correspondence.marks import Mark, as_marks, checked_marks
 from starskel.correspondence.pair import Correspondence
 from starskel.correspondence.proposal import proposed_marks
+from starskel.errors import InvalidPolygon
 from starskel.outline import precedes
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
@@ -56,7 +57,7 @@ def match(
         If ``should_stop`` answered True.
     """
     task = Task(should_stop=should_stop)
-    polygons = as_polygon(source), as_polygon(target)
+    polygons = as_polygon(source, "source"), as_polygon(target, "target")
     task.reach(0)
     given = as_marks(marks)
     own = checked_marks(*polygons, given)
@@ -72,9 +73,14 @@ def match(
     return Correspondence(source_ring, target_ring, given, source_rows, target_rows)
 
 
-def as_polygon(shape: PolygonLike) -> Polygon:
-    """Give the shape as a checked polygon."""
-    return shape if isinstance(shape, Polygon) else Polygon(shape)
+def as_polygon(shape: PolygonLike, side: str) -> Polygon:
+    """Give the shape as a checked polygon; errors say whether it is the source or the target."""
+    if isinstance(shape, Polygon):
+        return shape
+    try:
+        return Polygon(shape)
+    except InvalidPolygon as error:
+        raise InvalidPolygon(f"{side}: {error.what}", error.mend, error.vertices, error.place) from None
 
 
 def _completed(

@@ -48,7 +48,7 @@ def suggest_marks(
     if count < 0:
         raise StarskelError(f"{count} marks cannot be suggested", "give 0 or more")
     task = Task(should_stop=should_stop)
-    polygons = as_polygon(source), as_polygon(target)
+    polygons = as_polygon(source, "source"), as_polygon(target, "target")
     task.reach(0)
     if count == 0:
         return []

@@ -10,7 +10,7 @@ from starskel.points import points_of
 from starskel.triangulation import triangulate
 from starskel.visibility import visibility
 from tests.benchmarks.timing import exponent, seconds, table
-from tests.families import blob, related, spiral, subdivided, two_opt
+from tests.families import blob, comb, related, spiral, subdivided, two_opt
 
 SHAPES = {
     "smooth": lambda n: (blob(n, 1), blob(n, 2)),
@@ -88,8 +88,12 @@ def mixed_pair(kind: int, n: int, first: int, second: int) -> Correspondence:
             return paired(*related(min(n, 40), first))
         case 3:
             return paired(spiral(n // 2 * 2, 2), np.roll(spiral(n // 2 * 2, 1.2), first % n, axis=0))
+        case 4:
+            return paired(comb(max(2, n // 4)), np.roll(comb(max(2, n // 4)), first % n, axis=0))
         case _:
-            return paired(subdivided(two_opt(8, first), 5), subdivided(two_opt(8, second, 5), 5))
+            return paired(
+                subdivided(two_opt(n // 5 + 3, first), 5), subdivided(two_opt(n // 5 + 3, second), 5)
+            )
 
 
 def any_seed(seed: int, pairs: int) -> None:
@@ -98,5 +102,5 @@ def any_seed(seed: int, pairs: int) -> None:
     wrong = 0
     for k in range(pairs):
         first, second = (int(s) for s in rng.integers(2**31, size=2))
-        wrong += bool(faults(decompose(mixed_pair(k % 5, int(8 + 112 * rng.random() ** 2), first, second))))
+        wrong += bool(faults(decompose(mixed_pair(k % 6, int(8 + 192 * rng.random() ** 2), first, second))))
     print(f"\n{pairs} pairs of seed {seed}: {pairs - wrong} proven, {wrong} wrong")

@@ -297,3 +297,12 @@ def test_without_the_named_marks_the_others_are_accepted():
         except InvalidMarks as error:
             left.remove(error.marks[1])
     assert len(left) >= 3
+
+
+def test_a_bad_shape_is_named():
+    bow_tie = [(0, 0), (2, 2), (2, 0), (0, 2)]
+    with pytest.raises(InvalidPolygon, match=r"^source: edges 0-1 and 2-3 cross"):
+        match(bow_tie, SQUARE)
+    with pytest.raises(InvalidPolygon, match=r"^target: edges 0-1 and 2-3 cross") as caught:
+        match(SQUARE, bow_tie)
+    assert caught.value.vertices == (0, 1, 2, 3)
