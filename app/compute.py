@@ -1,7 +1,7 @@
-"""Blends computed beside the window: frozen requests, one worker thread, the newest request wins.
+"""Blends computed beside the window: frozen requests, one worker thread, the newest batch of them wins.
 
-The window sets the newest generation before it sends a request, and the worker compares it whenever the
-library asks whether to stop. So an old request ends within the library's promise (100 ms), and whatever it
+The window sets the newest generation before it sends a batch, and the worker compares it whenever the
+library asks whether to stop. So an old batch ends within the library's promise (100 ms), and whatever it
 still delivers carries an old generation and is dropped.
 """
 
@@ -39,15 +39,32 @@ class Request:
         What corresponds.
     methods : tuple of str
         The methods, in the order in which they are wanted.
-    generation : int
-        Grows from request to request.
     """
 
     source: Polygon
     target: Polygon
     marks: Marks
     methods: tuple[str, ...]
-    generation: int = 0
+
+
+@dataclass(frozen=True)
+class Batch:
+    """Requests to be worked off in order.
+
+    Attributes
+    ----------
+    requests : tuple of Request
+    generation : int
+        Grows from batch to batch.
+    """
+
+    requests: tuple[Request, ...]
+    generation: int
+
+    @property
+    def size(self) -> int:
+        """How many blends it asks for."""
+        return sum(len(request.methods) for request in self.requests)
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,6 +112,11 @@ class MethodState:
     error: Exception | None = None
     stale: bool = True
 
+    @property
+    def wanted(self) -> bool:
+        """Whether it is worth computing: what failed would fail again."""
+        return self.stale and self.error is None
+
     def outdated(self) -> "MethodState":
         """Mark it stale; the last good blend stays."""
         return replace(self, error=None, stale=True)
@@ -107,9 +129,9 @@ class MethodState:
 
 
 class Worker(QObject):
-    """Works off requests, in its own thread."""
+    """Works off batches, in its own thread."""
 
-    delivered = Signal(int, object)
+    delivered = Signal(int, object, object)
     progressed = Signal(int, str, float)
     finished = Signal(int)
 
@@ -118,22 +140,30 @@ class Worker(QObject):
         self.newest = 0  # set by the window, read here: one int, so no lock
 
     @Slot(object)
-    def work(self, request: Request) -> None:
-        job = Job(self, request)
+    def work(self, batch: Batch) -> None:
+        done = 0
         try:
-            for method in request.methods:
-                self.delivered.emit(request.generation, job.outcome(method))
+            for request in batch.requests:
+                job = Job(self, batch, request, done)
+                for method in request.methods:
+                    self.delivered.emit(batch.generation, request, job.outcome(method))
+                done += len(request.methods)
         except Cancelled:
             return
-        self.finished.emit(request.generation)
+        self.finished.emit(batch.generation)
 
 
 class Job:
-    """A request being worked off: what its methods share is computed once."""
+    """A request being worked off: what its methods share is computed once.
 
-    def __init__(self, worker: Worker, request: Request) -> None:
+    `done` counts the blends of the batch that were ready before.
+    """
+
+    def __init__(self, worker: Worker, batch: Batch, request: Request, done: int) -> None:
         self._worker = worker
+        self._batch = batch
         self._request = request
+        self._done = done
         self._pair: Correspondence | None = None
         self._decomposition: Decomposition | None = None
         self._percent = -1
@@ -178,16 +208,16 @@ class Job:
             raise Cancelled
 
     def _is_old(self) -> bool:
-        return self._worker.newest != self._request.generation
+        return self._worker.newest != self._batch.generation
 
     def _report(self, method: str, fraction: float) -> None:
-        """Report whole percents of the request; the library may call far more often."""
+        """Report whole percents of the batch; the library may call far more often."""
         self._go_on()
-        methods = self._request.methods
-        percent = int(100 * (methods.index(method) + fraction) / len(methods))
+        done = self._done + self._request.methods.index(method) + fraction
+        percent = int(100 * done / self._batch.size)
         if percent != self._percent:
             self._percent = percent
-            self._worker.progressed.emit(self._request.generation, method, percent / 100)
+            self._worker.progressed.emit(self._batch.generation, method, percent / 100)
 
 
 class Watched(Blend):
@@ -221,7 +251,8 @@ def _box(blended: Blend) -> Floats:
 class Computer(QObject):
     """The window's end of the worker: sends requests, passes on what still matters."""
 
-    delivered = Signal(object)
+    delivered = Signal(object, object)
+    """A request, and a Result or a Failure of one of its methods."""
     progressed = Signal(str, float)
     busy_changed = Signal(bool)
     _requested = Signal(object)
@@ -238,11 +269,11 @@ class Computer(QObject):
         self._worker.finished.connect(self._finish)
         self._thread.start()
 
-    def request(self, request: Request) -> None:
-        """Compute this instead of whatever is being computed."""
+    def request(self, *requests: Request) -> None:
+        """Compute these in order instead of whatever is being computed."""
         self._worker.newest += 1
         self._set_busy(True)
-        self._requested.emit(replace(request, generation=self._worker.newest))
+        self._requested.emit(Batch(requests, self._worker.newest))
 
     def cancel(self) -> None:
         """Stop computing; nothing more is delivered."""
@@ -255,10 +286,10 @@ class Computer(QObject):
         self._thread.quit()
         self._thread.wait()
 
-    @Slot(int, object)
-    def _deliver(self, generation: int, outcome: Result | Failure) -> None:
+    @Slot(int, object, object)
+    def _deliver(self, generation: int, request: Request, outcome: Result | Failure) -> None:
         if generation == self._worker.newest:
-            self.delivered.emit(outcome)
+            self.delivered.emit(request, outcome)
 
     @Slot(int, str, float)
     def _progress(self, generation: int, method: str, fraction: float) -> None:

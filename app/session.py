@@ -5,27 +5,25 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from app.compute import Computer, Failure, MethodState, Request, Result
+from app.compute import Computer, Failure, Request, Result
 from app.model.document import Document
+from app.model.filing import document_of, project_of
 from app.model.history import History
-from app.model.marks import Marks, Side
+from app.model.marks import Side
 from app.model.selection import Selection, everything
 from app.model.texts import QT_TRANSLATE_NOOP
+from app.results import Results, States
 from app.tools.draw import DrawTool
 from app.tools.mark import MarkTool
 from app.tools.select import SelectTool
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
-from starskel import METHODS
 from starskel.blending import COMPARED
 from starskel.files.project import Project, read_project, write_project
-from starskel.polygon import Polygon
 
 TOOLS: dict[str, type[Tool]] = {tool.name: tool for tool in (SelectTool, DrawTool, MarkTool)}
 
 USUAL_METHODS = COMPARED
 """What is compared until the user chooses: every method."""
-
-Shapes = tuple[Polygon | None, Polygon | None, Marks]
 
 
 class Session(QObject):
@@ -39,8 +37,8 @@ class Session(QObject):
         The state of the tool in hand.
     refusal : Refusal or None
         The last edit that was not possible, until the next one is tried.
-    results : dict of str to MethodState
-        For each method of the document what there is to show.
+    all_results : Results
+        What there is to show of each step.
     path : Path or None
         The project file, None before it has one.
     """
@@ -60,7 +58,6 @@ class Session(QObject):
         super().__init__(parent)
         self._history = History.of(Document(methods=USUAL_METHODS))
         self._saved = self.document
-        self._computed: Shapes = (None, None, ())
         self._computer = Computer(self)
         self._computer.delivered.connect(self._take)
         self._computer.progressed.connect(self.progressed)
@@ -68,7 +65,7 @@ class Session(QObject):
         self.selection = Selection()
         self.tool: Tool = SelectTool()
         self.refusal: Refusal | None = None
-        self.results: dict[str, MethodState] = {}
+        self.all_results = Results()
         self.path: Path | None = None
 
     @property
@@ -79,7 +76,7 @@ class Session(QObject):
     @property
     def unsaved(self) -> bool:
         """Whether the document differs from its file."""
-        return self.document != self._saved
+        return self.document.showing(0) != self._saved.showing(0)
 
     @property
     def busy(self) -> bool:
@@ -87,8 +84,17 @@ class Session(QObject):
         return self._computer.busy
 
     @property
+    def results(self) -> States:
+        """For each method of the document what there is to show of the step on the canvases."""
+        return self.results_of(self.document.step)
+
+    def results_of(self, step: int) -> States:
+        """Give for each method of the document what there is to show of a step."""
+        return self.all_results.states[step] if self.all_results.states else {}
+
+    @property
     def fresh_results(self) -> tuple[Result, ...]:
-        """The blends of the document as it is now, in the order in which they are shown."""
+        """The blends of the step on the canvases as it is now, in the order in which they are shown."""
         states = self.results.values()
         return tuple(state.result for state in states if state.result is not None and not state.stale)
 
@@ -175,7 +181,7 @@ class Session(QObject):
 
     def recompute(self) -> None:
         """Compute all blends anew."""
-        self._computed = (None, None, ())
+        self.all_results = self.all_results.outdated()
         self._compute()
 
     def close(self) -> None:
@@ -205,7 +211,7 @@ class Session(QObject):
         InvalidMarks
             If its marks cross.
         """
-        self._start(_document_of(project), path)
+        self._start(document_of(project, USUAL_METHODS), path)
 
     def save(self, path: Path) -> None:
         """Write the project file, whole or not at all.
@@ -215,10 +221,8 @@ class Session(QObject):
         InvalidFile
             If it cannot be written.
         """
-        document = self.document
-        name = document.name or path.stem
-        write_project(path, Project(name, document.source, document.target, document.marks, document.methods))
-        self.path, self._saved = path, document
+        write_project(path, project_of(self.document, path.stem))
+        self.path, self._saved = path, self.document
         self.document_changed.emit()
 
     # how answers and documents come in
@@ -257,7 +261,7 @@ class Session(QObject):
         self._saved, self.path = document, path
         self.selection, self.refusal = Selection(), None
         self.tool = SelectTool() if document.source or document.target else DrawTool()
-        self.results = {}
+        self.all_results = Results()
         self.tool_changed.emit()
         self.opened.emit()
         self._refresh()
@@ -271,37 +275,15 @@ class Session(QObject):
 
     def _compute(self) -> None:
         """Ask for what is missing or stale; results that still hold are kept."""
-        document = self.document
-        shapes: Shapes = (document.source, document.target, document.marks)
-        same = shapes == self._computed
-        known = self.results
-        self.results = {method: known.get(method, MethodState()) for method in document.methods}
-        if document.source is None or document.target is None:
+        self.all_results = self.all_results.following(self.document)
+        wanted = self.all_results.wanted(self.document.step)
+        if wanted:
+            self._computer.request(*wanted)
+        else:
             self._computer.cancel()
-            self.results = {method: MethodState() for method in document.methods}
-        elif wanted := self._wanted(same):
-            for method in wanted:
-                self.results[method] = self.results[method].outdated()
-            self._computer.request(Request(document.source, document.target, document.marks, wanted))
-        self._computed = shapes
         self.results_changed.emit()
 
-    def _wanted(self, same: bool) -> tuple[str, ...]:
-        """Give the methods to compute, the simplest first, so that there is something to see at once."""
-        shown = self.results
-        return tuple(m for m in METHODS if m in shown and (shown[m].stale or not same))
-
-    @Slot(object)
-    def _take(self, outcome: Result | Failure) -> None:
-        if outcome.method in self.results:
-            self.results[outcome.method] = self.results[outcome.method].after(outcome)
-            self.results_changed.emit()
-
-
-def _document_of(project: Project) -> Document:
-    """Give a project as a document; unknown methods in it are left out, none at all means the usual ones."""
-    known = tuple(method for method in project.methods if method in METHODS) or USUAL_METHODS
-    document = (
-        Document(project.name, methods=known).draw("source", project.source).draw("target", project.target)
-    )
-    return replace(document, marks=project.marks)
+    @Slot(object, object)
+    def _take(self, request: Request, outcome: Result | Failure) -> None:
+        self.all_results = self.all_results.after(request, outcome)
+        self.results_changed.emit()

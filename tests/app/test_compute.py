@@ -19,8 +19,11 @@ class Collector:
     def __init__(self, computer: Computer) -> None:
         self.outcomes: list[Result | Failure] = []
         self.progress: list[float] = []
-        computer.delivered.connect(self.outcomes.append)
+        computer.delivered.connect(self._take)
         computer.progressed.connect(self._advance)
+
+    def _take(self, request: Request, outcome: Result | Failure) -> None:
+        self.outcomes.append(outcome)
 
     def _advance(self, method: str, fraction: float) -> None:
         self.progress.append(fraction)

@@ -5,6 +5,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLabel
 
 from app.playback import Repeat
+from app.results import Results
 from app.view.panels import columns_for
 from starskel import METHODS
 from starskel.blending import COMPARED
@@ -190,7 +191,7 @@ def test_the_skeleton_of_a_single_piece_is_its_origin(driver: Driver) -> None:
 
 
 def test_a_cancelled_computation_says_how_to_go_on(arm: Driver) -> None:
-    arm.session.results = {}
+    arm.session.all_results = Results()
     arm.session.recompute()
     arm.key(Qt.Key.Key_Escape)
     messages = [arm.window.panels.panel(method).view.message for method in METHODS]
