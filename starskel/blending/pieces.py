@@ -36,7 +36,7 @@ class PieceBlend(Blend):
         return points
 
     def inside(self, ts: ArrayLike) -> Floats:
-        """Give the points of `points_at` and behind them the k star origins, at each time: (times, m + k, 2)."""
+        """Give the points of `points_at` and then the k star origins, at each time: (times, m + k, 2)."""
         return np.concatenate(self._points(checked_times(ts)), axis=1)
 
     def skeleton_at(self, t: float) -> Floats:

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from starskel.points import Indices, Points, points_of
 from starskel.outline import signed_areas
+from starskel.points import Indices, Points, points_of
 from starskel.predicates import ROUNDING, Floats
 from starskel.visibility import Relation
 

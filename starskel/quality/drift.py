@@ -23,7 +23,8 @@ def angle_deviation(rings: Floats, times: Floats) -> float:
     """Give the mean by which turning angles differ from their linear blend, weighted by adjacent lengths."""
     angles, lengths = turning_angles(rings), edge_lengths(rings[[0, -1]])
     differences = np.angle(np.exp(1j * (angles - linear(angles[0], angles[-1], times))))
-    weights = linear(*(lengths + np.roll(lengths, 1, axis=1)), times)
+    adjacent = lengths + np.roll(lengths, 1, axis=1)
+    weights = linear(adjacent[0], adjacent[1], times)
     return float(((weights * np.abs(differences)).sum(axis=1) / weights.sum(axis=1)).mean())
 
 

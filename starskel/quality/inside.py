@@ -60,7 +60,7 @@ class Triangles:
         self._weights = (shares[0] + shares[1]) / (shares[0] + shares[1]).sum()
 
     def logarithms(self, points: Floats, ts: Floats) -> tuple[Floats, Floats]:
-        """Give for each of k frames and each triangle the logarithms of both factors; nan where it is folded."""
+        """Give the logarithms of both factors for each frame and triangle; nan where it is folded."""
         ends = self._source[self._triangles], self._target[self._triangles]
         corners = as_complex(points)[:, self._triangles]
         areas, t = triangle_areas(corners), ts[:, None]
@@ -73,11 +73,12 @@ class Triangles:
         """Sum up the logarithms of all frames."""
         folded = np.isnan(spreads)
         weights = np.where(folded, 0, self._weights)
-        factors: list[float] = []
-        for logarithms in (stretches, spreads):
-            found = np.maximum(np.where(folded, 0, logarithms), 0)
-            factors += [float(np.exp((weights * found).sum() / weights.sum())), float(np.exp(found.max()))]
-        return Distortion(*factors, folded=float((folded @ self._weights).max()))
+
+        def factors(logarithms: Floats) -> tuple[float, float]:
+            found = np.maximum(np.where(folded, 0, logarithms), 0)  # rounding may leave them below
+            return float(np.exp((weights * found).sum() / weights.sum())), float(np.exp(found.max()))
+
+        return Distortion(*factors(stretches), *factors(spreads), float((folded @ self._weights).max()))
 
 
 def _fans(pieces: Sequence[tuple[int, ...]], rows: int) -> Indices:
@@ -93,7 +94,7 @@ def _fans(pieces: Sequence[tuple[int, ...]], rows: int) -> Indices:
 
 
 def _distances(first: Complex, second: Complex) -> Floats:
-    """Give the logarithms of the ratios of singular values of the maps between triangles, (..., 3) corners."""
+    """Give the logarithms of the ratios of singular values of the maps between (..., 3) triangles."""
     u, v = first[..., 1] - first[..., 0], first[..., 2] - first[..., 0]
     p, q = second[..., 1] - second[..., 0], second[..., 2] - second[..., 0]
     squares = np.abs(u * q) ** 2 + np.abs(v * p) ** 2 - 2 * (u.conj() * v).real * (p.conj() * q).real

@@ -45,7 +45,7 @@ def _with_corners_cut(ring: Floats) -> Floats:
 
 
 def _empty_corners(ring: Floats, first: int) -> Indices:
-    """Give the vertices, every second one from the first on, whose triangle no other part of the ring touches.
+    """Give those of every second vertex whose triangle no other part of the ring touches.
 
     It is enough that nothing crosses its sides: what enters it must leave it again, or end in it.
     """

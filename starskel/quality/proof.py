@@ -11,7 +11,7 @@ from starskel.quality.report import Crossing
 from starskel.task import Task
 
 _BISECTIONS = 40
-"""How often the stretch is halved in which an even motion meets itself first: to a millionth of a millionth."""
+"""How often the stretch is halved in which an even motion meets itself first."""
 
 
 def proof(blend: Blend, task: Task) -> tuple[bool, Crossing | None]:

@@ -82,8 +82,13 @@ class Report:
 
     @property
     def simple(self) -> bool:
-        """Whether the outline crosses itself at no moment: none at all, or where `proven` is not, none seen."""
+        """Whether the outline never crosses itself: at no t, or at none looked at, as `proven` says."""
         return not self.crossings
+
+    @property
+    def natural(self) -> bool:
+        """Whether the outline crosses itself, but naturally wherever it was seen to."""
+        return not self.simple and all(crossing.natural for crossing in self.crossings)
 
     @property
     def crossing_frames(self) -> tuple[int, ...]:

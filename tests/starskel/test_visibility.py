@@ -3,8 +3,8 @@ import pytest
 
 from starskel import triangulation
 from starskel.errors import InvalidPolygon
-from starskel.points import points_of
 from starskel.outline import signed_areas
+from starskel.points import points_of
 from starskel.triangulation import Triangulation
 from starskel.visibility import visibility, visibility_from
 from tests.families import comb, spiral, subdivided, turned, two_opt
