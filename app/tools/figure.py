@@ -139,7 +139,7 @@ class Stretching(Tool):
     def overlay(self, scene: Scene, side: Side) -> Overlay:
         if side != self.side or not self.opened:
             return Overlay()
-        return Overlay(figure=self._ring(scene), catch=self.catch, readout=self._readout())
+        return Overlay(figure=self._ring(scene), catch=self.catch, readout=(self.catch.at, self._readout()))
 
     def _ring(self, scene: Scene) -> Floats:
         return self.idle.ring(scene.settings, self.start, self.catch.at)

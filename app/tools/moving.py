@@ -148,10 +148,11 @@ class Transforming(Tool):
             return Overlay()
         ring = self._ring(scene)
         if self.handle == TURN:
-            return Overlay(ring=ring, readout=f"{degrees(self._angle(scene)):.4g}°")
+            return Overlay(ring=ring, readout=(self.pointer.at, f"{degrees(self._angle(scene)):.4g}°"))
         box, catch = box_of(ring[sorted(self.vertices)]), self._catch(scene)
         width, height = box.size
-        return Overlay(ring=ring, frame=box, catch=catch, readout=f"{width:.4g} × {height:.4g}")
+        readout = (self.pointer.at, f"{width:.4g} × {height:.4g}")
+        return Overlay(ring=ring, frame=box, catch=catch, readout=readout)
 
     def _tried(self, scene: Scene) -> Response:
         turns = self.handle == TURN

@@ -156,8 +156,8 @@ class Overlay:
         The handle that a press would take.
     catch : Catch or None
         What the pointer is caught by.
-    readout : str
-        Figures to be shown at the pointer.
+    readout : (place, str) or None
+        Figures to be shown at a place.
     """
 
     ring: Floats | None = None
@@ -173,7 +173,7 @@ class Overlay:
     frame: Box | None = None
     handle: str = ""
     catch: Catch | None = None
-    readout: str = ""
+    readout: tuple[Point, str] | None = None
 
 
 class Tool:
