@@ -65,7 +65,7 @@ class CanvasPainter:
         self._painter.drawPolygon(polygon_of(self._screen), Qt.FillRule.WindingFill)
 
     def _paint_vertices(self) -> None:
-        if self._is_replaced() or self._crowded():
+        if not len(self._screen) or self._is_replaced() or self._crowded():
             return
         self._painter.setPen(pen(self._colour, 1.5))
         self._painter.setBrush(QColor(self._theme.base))
