@@ -16,8 +16,8 @@ from starskel.task import ShouldStop
 AT_ONCE = 1 << 15
 """So many points of frames are computed between two questions whether to stop."""
 
-SAMPLES = np.linspace(0, 1, 21)
-"""The moments that count for the box of a blend."""
+SAMPLES = np.linspace(0, 1, 41)
+"""The moments of the frames that a result keeps."""
 
 
 class Job:
@@ -53,7 +53,7 @@ class Job:
             made = self._blend(method)
             self._report(method, 1.0)
             watched = Watched(made, self._go_on)
-            return Result(method, made, measure(watched), _box(watched))
+            return Result(method, made, measure(watched), watched.frames(SAMPLES))
         except Cancelled:
             raise
         except Exception as error:  # whatever it is, the window shows it; the thread lives on
@@ -110,8 +110,3 @@ class Watched(Blend):
     def _some(self, ts: Floats) -> Floats:
         self._go_on()
         return self._whole.frames(ts)
-
-
-def _box(blended: Blend) -> Floats:
-    points = blended.frames(SAMPLES).reshape(-1, 2)
-    return np.array([points.min(axis=0), points.max(axis=0)])

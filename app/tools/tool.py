@@ -27,12 +27,15 @@ class Pointer:
         How near counts as on it, in document units.
     shift : bool
         Whether the shift key is held.
+    across : Pointer or None
+        Where it is on the other canvas, if it was dragged there from this one.
     """
 
     side: Side
     at: Point
     radius: float
     shift: bool = False
+    across: "Pointer | None" = None
 
 
 @dataclass(frozen=True)
@@ -108,6 +111,8 @@ class Overlay:
         Where a double click would insert a vertex.
     pin : (int, int) or None
         A vertex and the number of the mark that would be set there.
+    line : (float, float) or None
+        Where the line ends that leads from the pin to the pointer, if the pointer is on this canvas.
     """
 
     ring: Floats | None = None
@@ -117,6 +122,7 @@ class Overlay:
     vertex: int | None = None
     insertion: Point | None = None
     pin: tuple[int, int] | None = None
+    line: Point | None = None
 
 
 class Tool:
