@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 import numpy as np
-from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt, Slot
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, Qt, Slot
 from PySide6.QtGui import QPaintEvent
 from PySide6.QtWidgets import QWidget
 
@@ -18,8 +18,11 @@ from app.view.theme import theme_of
 class MarkLine(QWidget):
     """Lies over what holds the canvases and lets all events through."""
 
-    def __init__(self, session: Session, canvases: Mapping[Side, Canvas], over: QWidget) -> None:
-        super().__init__(over.parentWidget())
+    def __init__(
+        self, session: Session, canvases: Mapping[Side, Canvas], over: QWidget, parent: QWidget
+    ) -> None:
+        super().__init__(parent)
+        self._parent = parent
         self._session = session
         self._canvases = canvases
         self._over = over
@@ -30,7 +33,7 @@ class MarkLine(QWidget):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in (QEvent.Type.Resize, QEvent.Type.Move):
-            self.setGeometry(self._over.geometry())
+            self.setGeometry(QRect(self._over.mapTo(self._parent, QPoint()), self._over.size()))
         return super().eventFilter(watched, event)
 
     @Slot()

@@ -100,8 +100,18 @@ class MarksModel(QAbstractTableModel):
 
     @Slot()
     def _follow(self) -> None:
-        if self._session.document.marks != self._shown:
-            self.beginResetModel()
-            self._shown = self._session.document.marks
-            self.draft = {}
-            self.endResetModel()
+        """Take over the marks; rows come and go at the end, so that an editor that is open stays so."""
+        marks, shown = self._session.document.marks, self._shown
+        if marks == shown:
+            return
+        self.draft = {}
+        if len(marks) > len(shown):
+            self.beginInsertRows(QModelIndex(), len(shown), len(marks) - 1)
+            self._shown = marks
+            self.endInsertRows()
+        elif len(marks) < len(shown):
+            self.beginRemoveRows(QModelIndex(), len(marks), len(shown) - 1)
+            self._shown = marks
+            self.endRemoveRows()
+        self._shown = marks
+        self.dataChanged.emit(self.index(0, LABEL), self.index(len(marks), len(SIDES)))

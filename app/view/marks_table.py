@@ -1,6 +1,6 @@
 """The table of marks beside the canvases, which the keyboard alone can fill, change and empty."""
 
-from PySide6.QtCore import QEvent, QModelIndex, Qt, Slot
+from PySide6.QtCore import QEvent, QModelIndex, Qt, QTimer, Slot
 from PySide6.QtGui import QFocusEvent, QIntValidator, QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -58,9 +58,8 @@ class MarksTable(QTableView):
         self.horizontalHeader().setHighlightSections(False)
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(26)
-        self._marks.modelAboutToBeReset.connect(self._remember)
-        self._marks.modelReset.connect(self._return)
-        self._cell, self._last = (0, 1), 0
+        self._marks.rowsInserted.connect(self._go_on)
+        self._marks.dataChanged.connect(self._point)
 
     def event(self, event: QEvent) -> bool:
         asked = event.type() == QEvent.Type.ShortcutOverride
@@ -99,6 +98,7 @@ class MarksTable(QTableView):
         super().focusOutEvent(event)
         self._session.point("source", None)
 
+    @Slot()
     def _point(self) -> None:
         index = self.currentIndex()
         if index.isValid() and self.hasFocus():
@@ -116,19 +116,13 @@ class MarksTable(QTableView):
             self._marks.forget()
 
     @Slot()
-    def _remember(self) -> None:
-        index = self.currentIndex()
-        self._cell = (max(index.row(), 0), max(index.column(), 1))
-        self._last = self._marks.rowCount() - 1
+    def _go_on(self) -> None:
+        """Go to where the next mark can be typed, as soon as the editor is closed."""
+        QTimer.singleShot(0, self._to_new)
 
     @Slot()
-    def _return(self) -> None:
-        """Stay in the same place; after a mark was added, go on to the next one."""
-        row, column = self._cell
-        last = self._marks.rowCount() - 1
-        if last > self._last:
-            row, column = last, 1
-        self.setCurrentIndex(self._marks.index(min(row, last), column))
+    def _to_new(self) -> None:
+        self.setCurrentIndex(self._marks.index(self._marks.rowCount() - 1, 1))
         self.scrollTo(self.currentIndex())
 
 

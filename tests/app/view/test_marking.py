@@ -65,7 +65,7 @@ def test_suggested_marks_are_one_step(driver: Driver) -> None:
     driver.wait_for_blends()
     before = driver.document.marks
     driver.window.marks.count.setValue(5)
-    driver.key(Qt.Key.Key_G)
+    driver.key(Qt.Key.Key_M, CONTROL)
     driver.wait(lambda: driver.document.marks != before)
     assert 2 <= len(driver.document.marks) <= 5
     driver.key(Qt.Key.Key_Z, CONTROL)

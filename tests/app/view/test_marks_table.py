@@ -13,19 +13,20 @@ KEYS = {"tab": Qt.Key.Key_Tab, "enter": Qt.Key.Key_Return, "up": Qt.Key.Key_Up, 
 @pytest.fixture
 def table(driver: Driver) -> Driver:
     driver.draw_both()
-    driver.key(Qt.Key.Key_T)
+    driver.key(Qt.Key.Key_T, CONTROL)
     driver.wait(driver.window.marks.table.hasFocus)
     return driver
 
 
 def type_in(*words: str) -> None:
     """Press keys by name, or type digits, wherever the focus is."""
+    QTest.qWait(10)
     for word in words:
         for key in [KEYS[word]] if word in KEYS else [ord(digit) for digit in word]:
             widget = QApplication.focusWidget()
             assert widget is not None
             QTest.keyClick(widget, Qt.Key(key))
-            QTest.qWait(1)  # an editor takes in what was typed when its key has been dealt with
+            QTest.qWait(10)  # an editor takes in what was typed when its key has been dealt with
 
 
 def message(driver: Driver) -> str:
@@ -91,6 +92,6 @@ def test_tab_leaves_the_table_at_its_end(table: Driver) -> None:
 
 
 def test_the_table_is_closed_by_the_same_key(table: Driver) -> None:
-    table.key(Qt.Key.Key_T)
+    table.key(Qt.Key.Key_T, CONTROL)
     assert not table.window.marks.isVisible()
     assert not table.window.actions_table["marks"].isChecked()
