@@ -83,6 +83,20 @@ COMMANDS = (
         True,
     ),
     Command(
+        "suggest",
+        QT_TRANSLATE_NOOP("Command", "S&uggest Marks"),
+        QT_TRANSLATE_NOOP("Command", "Replace all marks by ones that suggest themselves"),
+        ("Ctrl+M",),
+    ),
+    Command(
+        "marks",
+        QT_TRANSLATE_NOOP("Command", "&Marks Table"),
+        QT_TRANSLATE_NOOP("Command", "Show the marks as a table, to be edited by the keyboard"),
+        ("Ctrl+T",),
+        "",
+        True,
+    ),
+    Command(
         "fit",
         QT_TRANSLATE_NOOP("Command", "&Fit"),
         QT_TRANSLATE_NOOP("Command", "Show both shapes whole"),
@@ -113,6 +127,30 @@ COMMANDS = (
         QT_TRANSLATE_NOOP("Command", "S&keleton"),
         QT_TRANSLATE_NOOP("Command", "Show the skeleton in the frames"),
         ("Ctrl+2",),
+        "",
+        True,
+    ),
+    Command(
+        "onion",
+        QT_TRANSLATE_NOOP("Command", "&Onion Skin"),
+        QT_TRANSLATE_NOOP("Command", "Show frames before and after as faint outlines"),
+        ("Ctrl+3",),
+        "",
+        True,
+    ),
+    Command(
+        "ways",
+        QT_TRANSLATE_NOOP("Command", "Pat&hs"),
+        QT_TRANSLATE_NOOP("Command", "Show the paths of the vertices through time"),
+        ("Ctrl+4",),
+        "",
+        True,
+    ),
+    Command(
+        "numbers",
+        QT_TRANSLATE_NOOP("Command", "Vertex &Numbers"),
+        QT_TRANSLATE_NOOP("Command", "Show the numbers of the vertices, as the table of marks uses them"),
+        ("Ctrl+5",),
         "",
         True,
     ),
@@ -166,17 +204,30 @@ MENUS = (
     (QT_TRANSLATE_NOOP("Command", "&Edit"), ("undo", "redo", "", "select-all", "delete", "", "cancel")),
     (
         QT_TRANSLATE_NOOP("Command", "&Tools"),
-        (*PALETTE, "", *(each.name for each in drawing_commands.SNAPPING)),
+        (*PALETTE, "", "suggest", "marks", "", *(each.name for each in drawing_commands.SNAPPING)),
     ),
     (QT_TRANSLATE_NOOP("Command", "&Blend"), ("play", "to-start", "to-end", "", "methods", "", "recompute")),
     (
         QT_TRANSLATE_NOOP("Command", "&View"),
-        ("fit", "zoom-in", "zoom-out", "", "pieces", "skeleton", "", "light", "dark"),
+        (
+            "fit",
+            "zoom-in",
+            "zoom-out",
+            "",
+            "pieces",
+            "skeleton",
+            "onion",
+            "ways",
+            "numbers",
+            "",
+            "light",
+            "dark",
+        ),
     ),
 )
 """Menus in order; an empty name is a separator, and names that are no commands are submenus."""
 
 TOOLBAR = (
-    *("new", "open", "save", "", "undo", "redo", ""),
-    *("fit", "pieces", "skeleton", "", "export"),
+    *("new", "open", "save", "", "undo", "redo", "", "suggest", "marks", ""),
+    *("fit", "pieces", "skeleton", "onion", "ways", "numbers", "", "export"),
 )

@@ -217,7 +217,7 @@ def test_the_skeleton_of_a_single_piece_is_its_origin(driver: Driver) -> None:
     view = driver.window.panels.panel("stitched").view
     without = view.grab().toImage()
     driver.window.actions_table["skeleton"].trigger()
-    assert driver.window.display.skeleton
+    assert driver.window.display.layers.skeleton
     assert view.grab().toImage() != without
 
 
