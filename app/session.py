@@ -1,31 +1,50 @@
 """Session: the one object that owns what is edited, the tool in hand and the blends."""
 
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from app.compute import Computer, Failure, MethodState, Request, Result
+from app.compute import Blends, MethodState, Result, Subject, Trace, trace_of
 from app.model.document import Document
 from app.model.history import History
-from app.model.marks import Marks, Side
+from app.model.marks import SIDES, Marks, Side
 from app.model.selection import Selection, everything
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.draw import DrawTool
+from app.tools.figure import EllipseTool, RectangleTool, RegularPolygonTool, StarTool
+from app.tools.freehand import FreehandTool
 from app.tools.mark import MarkTool
 from app.tools.select import SelectTool
+from app.tools.settings import Settings
+from app.tools.text import TextTool
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
 from starskel import METHODS
 from starskel.blending import COMPARED
+from starskel.errors import InvalidMarks
 from starskel.files.project import Project, read_project, write_project
-from starskel.polygon import Polygon
 
-TOOLS: dict[str, type[Tool]] = {tool.name: tool for tool in (SelectTool, DrawTool, MarkTool)}
+TOOLS: dict[str, type[Tool]] = {
+    tool.name: tool
+    for tool in (
+        SelectTool,
+        DrawTool,
+        FreehandTool,
+        RectangleTool,
+        EllipseTool,
+        RegularPolygonTool,
+        StarTool,
+        TextTool,
+        MarkTool,
+    )
+}
+
+Pointed = tuple[Side, int]
 
 USUAL_METHODS = COMPARED
 """What is compared until the user chooses: every method."""
-
-Shapes = tuple[Polygon | None, Polygon | None, Marks]
 
 
 class Session(QObject):
@@ -37,12 +56,14 @@ class Session(QObject):
         The selected vertices.
     tool : Tool
         The state of the tool in hand.
+    settings : Settings
+        What the user has set for the tools.
     refusal : Refusal or None
         The last edit that was not possible, until the next one is tried.
-    results : dict of str to MethodState
-        For each method of the document what there is to show.
     path : Path or None
         The project file, None before it has one.
+    pointed : (side, int) or None
+        The vertex that is pointed at, on a canvas or in the table of marks.
     """
 
     changed = Signal()
@@ -52,6 +73,9 @@ class Session(QObject):
     opened = Signal()
     """Another document is edited from now on."""
     tool_changed = Signal()
+    pointed_changed = Signal()
+    """Another vertex is pointed at, or its partner has moved."""
+    settings_changed = Signal()
     results_changed = Signal()
     progressed = Signal(str, float)
     busy_changed = Signal(bool)
@@ -60,16 +84,17 @@ class Session(QObject):
         super().__init__(parent)
         self._history = History.of(Document(methods=USUAL_METHODS))
         self._saved = self.document
-        self._computed: Shapes = (None, None, ())
-        self._computer = Computer(self)
-        self._computer.delivered.connect(self._take)
-        self._computer.progressed.connect(self.progressed)
-        self._computer.busy_changed.connect(self.busy_changed)
+        self._blends = Blends(self)
+        self._blends.changed.connect(self.results_changed)
+        self._blends.suggested.connect(self._take_marks)
+        self._blends.progressed.connect(self.progressed)
+        self._blends.busy_changed.connect(self.busy_changed)
         self.selection = Selection()
         self.tool: Tool = SelectTool()
+        self.settings = Settings()
         self.refusal: Refusal | None = None
-        self.results: dict[str, MethodState] = {}
         self.path: Path | None = None
+        self.pointed: Pointed | None = None
 
     @property
     def document(self) -> Document:
@@ -84,13 +109,17 @@ class Session(QObject):
     @property
     def busy(self) -> bool:
         """Whether the worker is computing."""
-        return self._computer.busy
+        return self._blends.busy
+
+    @property
+    def results(self) -> dict[str, MethodState]:
+        """For each method of the document what there is to show."""
+        return self._blends.results
 
     @property
     def fresh_results(self) -> tuple[Result, ...]:
         """The blends of the document as it is now, in the order in which they are shown."""
-        states = self.results.values()
-        return tuple(state.result for state in states if state.result is not None and not state.stale)
+        return self._blends.fresh
 
     @property
     def undoes(self) -> str | None:
@@ -102,6 +131,14 @@ class Session(QObject):
         """The name of the edit that redo brings again."""
         return self._history.redoes
 
+    @property
+    def trace(self) -> Trace | None:
+        """What is known of the vertex pointed at: its partner, and its row in all blends."""
+        results = self.fresh_results
+        if self.pointed is None or not results:
+            return None
+        return trace_of(results[0].blend.pair, *self.pointed)
+
     def overlay(self, side: Side) -> Overlay:
         """Give what the tool shows on a canvas."""
         return self.tool.overlay(self._scene(), side)
@@ -109,6 +146,8 @@ class Session(QObject):
     # events from the canvases
 
     def press(self, pointer: Pointer) -> None:
+        if self.selection.side != pointer.side:
+            self.selection = Selection(pointer.side)  # what is worked on is where the user is at work
         self._answer(self.tool.press(self._scene(), pointer))
 
     def double_press(self, pointer: Pointer) -> None:
@@ -119,10 +158,15 @@ class Session(QObject):
         self._answer(replace(response, refusal=response.refusal or self.refusal))
 
     def move(self, pointer: Pointer) -> None:
-        """Follow the pointer; a gesture shows at once what it may not do, and else the last refusal stays."""
+        """Follow the pointer; a gesture shows at once what it may not do, and else the last refusal stays.
+
+        The blends follow the gesture: they show what releasing here would give.
+        """
         busy = self.tool.busy
         response = self.tool.move(self._scene(), pointer)
         self._answer(response if busy else replace(response, refusal=self.refusal))
+        if self.tool.busy and (document := self.tool.preview(self._scene(), pointer)) is not None:
+            self._blend(document, live=True)
 
     def key(self, key: Key) -> None:
         self._answer(self.tool.key(self._scene(), key))
@@ -138,6 +182,20 @@ class Session(QObject):
         else:
             self.tool_changed.emit()  # the tool chosen is not the one in hand
 
+    def set(self, settings: Settings) -> None:
+        """Change settings of the tools; what was just made follows them."""
+        if settings == self.settings:
+            return
+        self.settings = settings
+        self.settings_changed.emit()
+        self._answer(self.tool.adjust(self._scene()))
+        self.changed.emit()
+
+    def edit(self, verb: Callable[[Scene], Response]) -> None:
+        """Do what a verb answers, after the gesture under way is finished."""
+        if self.finish():
+            self._answer(verb(self._scene()))
+
     def finish(self) -> bool:
         """End the gesture under way, so that what was drawn is kept; False where that is not possible."""
         if self.tool.busy:
@@ -146,12 +204,10 @@ class Session(QObject):
 
     def cancel(self) -> None:
         """Give up the nearest thing that can be given up: gesture, notice, computation, selection."""
-        if self.tool.busy:
+        if self.tool.busy or self.refusal is not None:
             self._answer(Response(self.tool.cancel()))
-        elif self.refusal is not None:
-            self._answer(Response(self.tool))
         elif self.busy:
-            self._computer.cancel()
+            self._blends.cancel()
         else:
             self._answer(Response(self.tool, selection=Selection(self.selection.side)))
 
@@ -169,18 +225,44 @@ class Session(QObject):
     def redo(self) -> None:
         self._travel(self._history.redo())
 
+    def point(self, side: Side, vertex: int | None) -> None:
+        """Point at a vertex, or at none."""
+        pointed = None if vertex is None else (side, vertex)
+        if pointed != self.pointed:
+            self.pointed = pointed
+            self.pointed_changed.emit()
+
+    def mark(self, source: int, target: int) -> bool:
+        """Add a mark; False where that is refused."""
+        return self._remark(
+            QT_TRANSLATE_NOOP("Step", "Set mark"), partial(self.document.mark, source, target)
+        )
+
+    def repin(self, index: int, side: Side, vertex: int) -> bool:
+        """Move one end of a mark; False where that is refused."""
+        moved = partial(self.document.repin, index, side, vertex)
+        return self._remark(QT_TRANSLATE_NOOP("Step", "Move mark"), moved)
+
+    def unmark(self, index: int) -> None:
+        """Remove a mark."""
+        self._remark(QT_TRANSLATE_NOOP("Step", "Remove mark"), partial(self.document.unmark, index))
+
+    def suggest_marks(self, count: int) -> None:
+        """Replace all marks by so many that suggest themselves, as soon as they are found."""
+        if self.finish():
+            self._blends.suggest(count)
+
     def compare(self, methods: tuple[str, ...]) -> None:
         """Choose the methods shown side by side."""
         self._commit(Commit(self.document.compare(methods), QT_TRANSLATE_NOOP("Step", "Choose methods")))
 
     def recompute(self) -> None:
         """Compute all blends anew."""
-        self._computed = (None, None, ())
-        self._compute()
+        self._blends.recompute()
 
     def close(self) -> None:
         """End the worker; to be called before the program ends."""
-        self._computer.close()
+        self._blends.close()
 
     # files
 
@@ -223,8 +305,24 @@ class Session(QObject):
 
     # how answers and documents come in
 
+    def _remark(self, name: str, verb: Callable[[], Document]) -> bool:
+        if not self.finish():
+            return False
+        try:
+            commit = Commit(verb(), name)
+        except InvalidMarks as error:
+            self._answer(Response(self.tool, refusal=Refusal("source", error, marks=error.marks)))
+            return False
+        self._answer(Response(self.tool, commit))
+        return True
+
+    @Slot(object)
+    def _take_marks(self, marks: Marks) -> None:
+        name = QT_TRANSLATE_NOOP("Step", "Suggest marks")
+        self._commit(Commit(self.document.remark(marks), name))
+
     def _scene(self) -> Scene:
-        return Scene(self.document, self.selection)
+        return Scene(self.document, self.selection, self.settings)
 
     def _answer(self, response: Response) -> None:
         former = self.tool, self.refusal, self.selection
@@ -233,13 +331,24 @@ class Session(QObject):
             self.selection = response.selection
         if response.commit is not None:
             self._commit(response.commit)
+        elif former[0].busy and not self.tool.busy:
+            self._blend(self.document)  # the gesture was given up
         if type(former[0]) is not type(self.tool):
             self.tool_changed.emit()
+        if self.tool != former[0]:
+            self._point_by_tool()
         if (self.tool, self.refusal, self.selection) != former:  # most moves of the pointer change nothing
             self.changed.emit()
 
+    def _point_by_tool(self) -> None:
+        for side in SIDES:
+            if (vertex := self.overlay(side).vertex) is not None:
+                return self.point(side, vertex)
+        return self.point("source", None)
+
     def _commit(self, commit: Commit) -> None:
         if commit.document == self.document:
+            self._blend(self.document)  # the gesture ended where it began
             return
         self._history = self._history.push(commit.document, commit.name, commit.joins)
         self._refresh()
@@ -257,7 +366,7 @@ class Session(QObject):
         self._saved, self.path = document, path
         self.selection, self.refusal = Selection(), None
         self.tool = SelectTool() if document.source or document.target else DrawTool()
-        self.results = {}
+        self._blends.forget()
         self.tool_changed.emit()
         self.opened.emit()
         self._refresh()
@@ -265,37 +374,13 @@ class Session(QObject):
     def _refresh(self) -> None:
         self.document_changed.emit()
         self.changed.emit()
-        self._compute()
+        self._blend(self.document)
 
-    # blends
-
-    def _compute(self) -> None:
-        """Ask for what is missing or stale; results that still hold are kept."""
-        document = self.document
-        shapes: Shapes = (document.source, document.target, document.marks)
-        same = shapes == self._computed
-        known = self.results
-        self.results = {method: known.get(method, MethodState()) for method in document.methods}
-        if document.source is None or document.target is None:
-            self._computer.cancel()
-            self.results = {method: MethodState() for method in document.methods}
-        elif wanted := self._wanted(same):
-            for method in wanted:
-                self.results[method] = self.results[method].outdated()
-            self._computer.request(Request(document.source, document.target, document.marks, wanted))
-        self._computed = shapes
-        self.results_changed.emit()
-
-    def _wanted(self, same: bool) -> tuple[str, ...]:
-        """Give the methods to compute, the simplest first, so that there is something to see at once."""
-        shown = self.results
-        return tuple(m for m in METHODS if m in shown and (shown[m].stale or not same))
-
-    @Slot(object)
-    def _take(self, outcome: Result | Failure) -> None:
-        if outcome.method in self.results:
-            self.results[outcome.method] = self.results[outcome.method].after(outcome)
-            self.results_changed.emit()
+    def _blend(self, document: Document, *, live: bool = False) -> None:
+        subject = None
+        if document.source is not None and document.target is not None:
+            subject = Subject(document.source, document.target, document.marks)
+        self._blends.show(subject, document.methods, live=live)
 
 
 def _document_of(project: Project) -> Document:

@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from starskel.blending.dissection import Dissection, dissect
-from starskel.blending.elimination import Factored, factor
+from starskel.blending.distortion import Shapes
+from starskel.blending.laplacian import Factored, factor
 from starskel.blending.mesh import Mesh, triangle_areas
-from starskel.polar import Complex
+from starskel.polar import Complex, as_complex, as_points
 from starskel.predicates import Floats
 
 Indices = NDArray[np.intp]
@@ -20,7 +20,13 @@ REACH = 0.3
 """How far area corrections are smoothed, as a part of the size."""
 
 CLIP = 4.0
-"""The largest factor by which a triangle's area is corrected."""
+"""The largest factor by which a triangle's area is corrected at once."""
+
+PASSES = 2
+"""How often areas are corrected: what is left after the first time is less than half."""
+
+MOST_DISTORTED = 10.0
+"""Distortions count as no more than this, and as this where triangles have no area."""
 
 _LEAST_MASS = 1e-3
 """The least mass of a triangle, as a part of the mean: no point may be left without any."""
@@ -28,13 +34,11 @@ _LEAST_MASS = 1e-3
 
 @dataclass(frozen=True, eq=False)
 class Graph:
-    """What does not change while weights do: the mesh, its division, which edges end where.
+    """What does not change while weights do: the mesh, which edges end where.
 
     Attributes
     ----------
     mesh : Mesh
-    dissection : Dissection
-        Of the mesh's points.
     ends : (2 e,) array
         All ends of edges, ordered by point: edge i as i where it ends, as i + e where it starts.
     firsts : (m,) array
@@ -48,7 +52,6 @@ class Graph:
     """
 
     mesh: Mesh
-    dissection: Dissection
     ends: Indices
     firsts: Indices
     corners: Indices
@@ -60,7 +63,6 @@ class Graph:
 def graph_of(mesh: Mesh) -> Graph:
     """Prepare what all weights share."""
     count = len(mesh.source)
-    dissection = dissect(mesh.edges, count)
     points = mesh.edges.T[::-1].ravel()
     ends = np.argsort(points, kind="stable")
     corners = np.argsort(mesh.triangles.ravel(), kind="stable")
@@ -73,12 +75,11 @@ def graph_of(mesh: Mesh) -> Graph:
     stiffness = at_edges * (REACH / _relative_lengths(mesh)) ** 2
     return Graph(
         mesh=mesh,
-        dissection=dissection,
         ends=ends,
         firsts=np.searchsorted(points[ends], every),
         corners=corners // 3,
         corner_firsts=np.searchsorted(mesh.triangles.ravel()[corners], every),
-        smoothing=factor(dissection, stiffness, at_points),
+        smoothing=factor(mesh.edges, stiffness, at_points),
         masses=masses,
     )
 
@@ -108,7 +109,7 @@ class Stitch:
         """Factor the problem with these weights, the first point held, as they leave the place free."""
         held = np.zeros(len(graph.mesh.source))
         held[0] = weights.max()
-        return cls(graph, weights, dial, factor(graph.dissection, weights, held))
+        return cls(graph, weights, dial, factor(graph.mesh.edges, weights, held))
 
     def dialled(self, dial: float) -> "Stitch":
         """Give the same problem with another weight for areas."""
@@ -118,19 +119,19 @@ class Stitch:
         """Give all points of the mesh at each t, (k, m), up to a translation."""
         wishes = self.graph.mesh.wishes.at(ts)
         points = self._nearest(wishes)
-        if not self.dial:
-            return points
-        growth = self._growth(points, ts)
         i, j = self.graph.mesh.edges.T
-        return self._nearest(wishes * np.exp((growth[:, i] + growth[:, j]) / 2))
+        for _ in range(PASSES if self.dial else 0):
+            growth = self._growth(points, ts)
+            wishes = wishes * np.exp((growth[:, i] + growth[:, j]) / 2)
+            points = self._nearest(wishes)
+        return points
 
     def _nearest(self, wishes: Complex) -> Complex:
         """Solve: the points whose edges come nearest to the wishes."""
         pulls = wishes * self.weights
         both = np.concatenate([pulls, -pulls], axis=1)[:, self.graph.ends]
         right = np.add.reduceat(both, self.graph.firsts, axis=1)
-        parts = self.matrix.solve(np.concatenate([right.real, right.imag]))
-        return np.asarray(parts[: len(right)] + 1j * parts[len(right) :])
+        return as_complex(self.matrix.solve(as_points(right)))
 
     def _growth(self, points: Complex, ts: Floats) -> Floats:
         """Give for each point the logarithm of the factor by which edges there should grow.
@@ -153,9 +154,25 @@ def _relative_lengths(mesh: Mesh) -> Floats:
     return np.asarray(np.maximum(mesh.lengths / mesh.size, SHORTEST))
 
 
-def length_weights(mesh: Mesh, on_ring: float) -> Floats:
-    """Give the weights 1 / length^2, those of the outline's edges times a factor."""
-    return np.asarray(np.where(mesh.on_ring, on_ring, 1.0) / _relative_lengths(mesh) ** 2)
+def edge_weights(mesh: Mesh, on_ring: float, yielding: float) -> Floats:
+    """Give the weights of the edges: 1 / length^2, those of the outline times a factor.
+
+    Parts that keep their shape shall do so all the time: an edge inside insists the less the more its
+    triangles are distorted from source to target, by that power of the distortion.
+    """
+    inside = edge_distortions(mesh) ** -yielding
+    return np.asarray(np.where(mesh.on_ring, on_ring, inside) / _relative_lengths(mesh) ** 2)
+
+
+def edge_distortions(mesh: Mesh) -> Floats:
+    """Give for each edge the geometric mean of its triangles' distortions, 1 where they keep their shape."""
+    shapes = Shapes.of(mesh.source, mesh.target, mesh.triangles)
+    least = 2 * np.add(*shapes.areas(mesh.triangles))
+    has_area = shapes.have_area(mesh.triangles)
+    ratios = np.where(has_area, shapes.distortions(mesh.triangles), np.inf) / np.where(has_area, least, 1.0)
+    logarithms = np.log(np.clip(ratios, 1.0, MOST_DISTORTED))
+    uses = np.bincount(mesh.sides.ravel(), minlength=len(mesh.edges))
+    return np.asarray(np.exp(_sums(mesh.sides, logarithms, len(mesh.edges)) / uses))
 
 
 def _sums(places: Indices, values: Floats, count: int) -> Floats:
