@@ -1,0 +1,1 @@
+"""Blends that provably never cross themselves."""

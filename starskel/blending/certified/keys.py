@@ -1,0 +1,92 @@
+"""Keyframes and the links between them; where the links of a blend are safe, and where they are not."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from starskel.certificate import safe
+from starskel.outline import cross_themselves
+from starskel.predicates import Floats
+from starskel.task import Task
+
+Guide = Callable[[Floats], Floats]
+"""Gives the (k, n, 2) frames that are wanted at k times, if only they were simple."""
+
+LINKS = 32
+"""The least number of links."""
+
+BISECTIONS = 6
+"""How often a link that is not safe is halved before it counts as a gap."""
+
+
+@dataclass(frozen=True, eq=False)
+class Key:
+    """A frame and its time."""
+
+    t: float
+    frame: Floats
+
+
+Chain = list[Key]
+"""Keys in the order of time, linked by even motions."""
+
+
+def chain_of(source: Floats, target: Floats, guide: Guide, task: Task) -> list[Chain]:
+    """Give a guide's frames as chains, all links of each safe; there are gaps between one chain and the next.
+
+    The first chain begins with the source and the last ends with the target, to the bit.
+    """
+    times = np.linspace(0, 1, LINKS + 1)
+    frames = [source, *guide(times[1:-1]), target]
+    keys = [Key(float(t), frame) for t, frame in zip(times, frames, strict=True)]
+    crossing = cross_themselves(np.stack(frames))
+    crossing[[0, -1]] = False  # polygons are simple: what rounding makes of them does not count
+    chains = [[keys[0]]]
+    for (before, after), through in zip(pairwise(keys), crossing[:-1] | crossing[1:], strict=True):
+        task.reach(before.t)
+        found = [[before], [after]] if through else _linked(before, after, guide, BISECTIONS)
+        _append(chains, found)
+    kept = [chain for chain in chains if not _all_crossing(chain, keys, crossing)]
+    return kept
+
+
+def _all_crossing(chain: Chain, keys: Chain, crossing: np.ndarray) -> bool:
+    return len(chain) == 1 and any(key is chain[0] and bad for key, bad in zip(keys, crossing, strict=True))
+
+
+def _append(chains: list[Chain], found: list[Chain]) -> None:
+    """Add chains that begin with the key at which the chains so far end."""
+    chains[-1] += found[0][1:]
+    chains += found[1:]
+
+
+def _linked(before: Key, after: Key, guide: Guide, bisections: int) -> list[Chain]:
+    """Link two keys safely, by frames between them where that is needed and helps."""
+    if safe(before.frame, after.frame):
+        return [[before, after]]
+    t = (before.t + after.t) / 2
+    frame = guide(np.array([t]))
+    if not bisections or cross_themselves(frame)[0]:
+        return [[before], [after]]
+    middle = Key(t, frame[0])
+    chains = _linked(before, middle, guide, bisections - 1)
+    _append(chains, _linked(middle, after, guide, bisections - 1))
+    return chains
+
+
+def guided(keys: Chain) -> Guide:
+    """Give the even motions between keys as a guide."""
+    times, frames = np.array([key.t for key in keys]), np.stack([key.frame for key in keys])
+    return lambda ts: between(times, frames, ts)
+
+
+def between(times: Floats, frames: Floats, ts: Floats) -> Floats:
+    """Interpolate (m, n, 2) keyframes at rising times; at a key's time it is the key itself, to the bit."""
+    before = np.clip(np.searchsorted(times, ts, side="right") - 1, 0, len(times) - 2)
+    share = ((ts - times[before]) / (times[before + 1] - times[before]))[:, None, None]
+    start, end = frames[before], frames[before + 1]
+    near_end = share > 0.5
+    moved = np.where(near_end, end - (1 - share) * (end - start), start + share * (end - start))
+    return np.asarray(moved)
