@@ -3,12 +3,12 @@
 from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QObject, Signal
 
-from app.compute import Computer, Failure, MethodState, Request, Result
+from app.compute import Blends, MethodState, Result, Subject
 from app.model.document import Document
 from app.model.history import History
-from app.model.marks import Marks, Side
+from app.model.marks import Side
 from app.model.selection import Selection, everything
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.draw import DrawTool
@@ -18,14 +18,11 @@ from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Sce
 from starskel import METHODS
 from starskel.blending import COMPARED
 from starskel.files.project import Project, read_project, write_project
-from starskel.polygon import Polygon
 
 TOOLS: dict[str, type[Tool]] = {tool.name: tool for tool in (SelectTool, DrawTool, MarkTool)}
 
 USUAL_METHODS = COMPARED
 """What is compared until the user chooses: every method."""
-
-Shapes = tuple[Polygon | None, Polygon | None, Marks]
 
 
 class Session(QObject):
@@ -39,8 +36,6 @@ class Session(QObject):
         The state of the tool in hand.
     refusal : Refusal or None
         The last edit that was not possible, until the next one is tried.
-    results : dict of str to MethodState
-        For each method of the document what there is to show.
     path : Path or None
         The project file, None before it has one.
     """
@@ -60,15 +55,13 @@ class Session(QObject):
         super().__init__(parent)
         self._history = History.of(Document(methods=USUAL_METHODS))
         self._saved = self.document
-        self._computed: Shapes = (None, None, ())
-        self._computer = Computer(self)
-        self._computer.delivered.connect(self._take)
-        self._computer.progressed.connect(self.progressed)
-        self._computer.busy_changed.connect(self.busy_changed)
+        self._blends = Blends(self)
+        self._blends.changed.connect(self.results_changed)
+        self._blends.progressed.connect(self.progressed)
+        self._blends.busy_changed.connect(self.busy_changed)
         self.selection = Selection()
         self.tool: Tool = SelectTool()
         self.refusal: Refusal | None = None
-        self.results: dict[str, MethodState] = {}
         self.path: Path | None = None
 
     @property
@@ -84,13 +77,17 @@ class Session(QObject):
     @property
     def busy(self) -> bool:
         """Whether the worker is computing."""
-        return self._computer.busy
+        return self._blends.busy
+
+    @property
+    def results(self) -> dict[str, MethodState]:
+        """For each method of the document what there is to show."""
+        return self._blends.results
 
     @property
     def fresh_results(self) -> tuple[Result, ...]:
         """The blends of the document as it is now, in the order in which they are shown."""
-        states = self.results.values()
-        return tuple(state.result for state in states if state.result is not None and not state.stale)
+        return self._blends.fresh
 
     @property
     def undoes(self) -> str | None:
@@ -119,10 +116,15 @@ class Session(QObject):
         self._answer(replace(response, refusal=response.refusal or self.refusal))
 
     def move(self, pointer: Pointer) -> None:
-        """Follow the pointer; a gesture shows at once what it may not do, and else the last refusal stays."""
+        """Follow the pointer; a gesture shows at once what it may not do, and else the last refusal stays.
+
+        The blends follow the gesture: they show what releasing here would give.
+        """
         busy = self.tool.busy
         response = self.tool.move(self._scene(), pointer)
         self._answer(response if busy else replace(response, refusal=self.refusal))
+        if self.tool.busy and (document := self.tool.preview(self._scene(), pointer)) is not None:
+            self._blend(document, live=True)
 
     def key(self, key: Key) -> None:
         self._answer(self.tool.key(self._scene(), key))
@@ -151,7 +153,7 @@ class Session(QObject):
         elif self.refusal is not None:
             self._answer(Response(self.tool))
         elif self.busy:
-            self._computer.cancel()
+            self._blends.cancel()
         else:
             self._answer(Response(self.tool, selection=Selection(self.selection.side)))
 
@@ -175,12 +177,11 @@ class Session(QObject):
 
     def recompute(self) -> None:
         """Compute all blends anew."""
-        self._computed = (None, None, ())
-        self._compute()
+        self._blends.recompute()
 
     def close(self) -> None:
         """End the worker; to be called before the program ends."""
-        self._computer.close()
+        self._blends.close()
 
     # files
 
@@ -233,6 +234,8 @@ class Session(QObject):
             self.selection = response.selection
         if response.commit is not None:
             self._commit(response.commit)
+        elif former[0].busy and not self.tool.busy:
+            self._blend(self.document)  # the gesture was given up
         if type(former[0]) is not type(self.tool):
             self.tool_changed.emit()
         if (self.tool, self.refusal, self.selection) != former:  # most moves of the pointer change nothing
@@ -240,6 +243,7 @@ class Session(QObject):
 
     def _commit(self, commit: Commit) -> None:
         if commit.document == self.document:
+            self._blend(self.document)  # the gesture ended where it began
             return
         self._history = self._history.push(commit.document, commit.name, commit.joins)
         self._refresh()
@@ -257,7 +261,7 @@ class Session(QObject):
         self._saved, self.path = document, path
         self.selection, self.refusal = Selection(), None
         self.tool = SelectTool() if document.source or document.target else DrawTool()
-        self.results = {}
+        self._blends.forget()
         self.tool_changed.emit()
         self.opened.emit()
         self._refresh()
@@ -265,37 +269,13 @@ class Session(QObject):
     def _refresh(self) -> None:
         self.document_changed.emit()
         self.changed.emit()
-        self._compute()
+        self._blend(self.document)
 
-    # blends
-
-    def _compute(self) -> None:
-        """Ask for what is missing or stale; results that still hold are kept."""
-        document = self.document
-        shapes: Shapes = (document.source, document.target, document.marks)
-        same = shapes == self._computed
-        known = self.results
-        self.results = {method: known.get(method, MethodState()) for method in document.methods}
-        if document.source is None or document.target is None:
-            self._computer.cancel()
-            self.results = {method: MethodState() for method in document.methods}
-        elif wanted := self._wanted(same):
-            for method in wanted:
-                self.results[method] = self.results[method].outdated()
-            self._computer.request(Request(document.source, document.target, document.marks, wanted))
-        self._computed = shapes
-        self.results_changed.emit()
-
-    def _wanted(self, same: bool) -> tuple[str, ...]:
-        """Give the methods to compute, the simplest first, so that there is something to see at once."""
-        shown = self.results
-        return tuple(m for m in METHODS if m in shown and (shown[m].stale or not same))
-
-    @Slot(object)
-    def _take(self, outcome: Result | Failure) -> None:
-        if outcome.method in self.results:
-            self.results[outcome.method] = self.results[outcome.method].after(outcome)
-            self.results_changed.emit()
+    def _blend(self, document: Document, *, live: bool = False) -> None:
+        subject = None
+        if document.source is not None and document.target is not None:
+            subject = Subject(document.source, document.target, document.marks)
+        self._blends.show(subject, document.methods, live=live)
 
 
 def _document_of(project: Project) -> Document:

@@ -3,14 +3,18 @@
 import numpy as np
 
 from starskel.errors import InvalidPolygon
+from starskel.points import Indices
 from starskel.polygon import Polygon, crossing_edges
 from starskel.predicates import Floats
+
+ATTEMPTS = 20
+"""Sets of points tried before a grid is given up as too full."""
 
 
 def two_opt(n: int, seed: int, grid: int = 0) -> Floats:
     """A random simple ring of n vertices: a random tour, untangled; on an integer grid if one is given."""
     rng = np.random.default_rng([n, seed, grid])
-    while True:
+    for _ in range(ATTEMPTS):
         points = rng.random((n, 2)) * 100
         if grid:
             cells = rng.choice(grid * grid, n, replace=False)
@@ -20,19 +24,42 @@ def two_opt(n: int, seed: int, grid: int = 0) -> Floats:
             return Polygon(ring).vertices
         except InvalidPolygon:
             continue
+    raise ValueError(f"none of {ATTEMPTS} tours of {n} points untangled: take a larger grid than {grid}")
 
 
 def _untangle(ring: Floats, rng: np.random.Generator) -> Floats:
-    for _ in range(50 * len(ring)):
+    """Reverse ways between crossing edges, in each pass as many as have no edge in common."""
+    n = len(ring)
+    for _ in range(10 * n):
+        ring = np.roll(ring[:: rng.choice((-1, 1))], rng.integers(n), axis=0)
         pairs = crossing_edges(ring)
         if not len(pairs):
             break
-        i, j = pairs[rng.integers(len(pairs))]
-        if j - i > 1:
-            ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1].copy()
-        else:
-            ring = rng.permutation(ring)
+        order = list(range(n))
+        for first, second in _without_common_edges(rng.permutation(pairs), n).tolist():
+            _reverse_between(first, second, order)
+        ring = ring[order]
     return ring
+
+
+def _without_common_edges(pairs: Indices, n: int) -> Indices:
+    rank = np.arange(len(pairs))
+    first = np.full(n, len(pairs))
+    np.minimum.at(first, pairs.ravel(), rank.repeat(2))
+    return pairs[(first[pairs] == rank[:, None]).all(axis=1)]
+
+
+def _reverse_between(first: int, second: int, order: list[int]) -> None:
+    """Reverse the way between two edges, named by where they were; between neighbours swap vertices."""
+    n = len(order)
+    i, j = sorted(_start(order.index(edge), order.index((edge + 1) % n), n) for edge in (first, second))
+    stop = j + 1 if j - i > 1 else j + 2
+    order[i + 1 : stop] = order[i + 1 : stop][::-1]
+
+
+def _start(end: int, other: int, n: int) -> int:
+    """Give where in a tour the edge between two neighbouring places starts."""
+    return min(end, other) if abs(end - other) == 1 else n - 1
 
 
 def related(n: int, seed: int, spread: float = 0.5) -> tuple[Floats, Floats]:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
+from app.model.document import Document
 from app.model.marks import Side, end, mark_at
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.pick import distance, vertex_at
@@ -104,6 +105,9 @@ class HoldingPin(Tool):
         if not self.dragged and distance(pointer.at, self.start.at) <= pointer.radius:
             return Response(self)
         return Response(replace(self, dragged=True, vertex=vertex_at(scene.document, pointer)))
+
+    def preview(self, scene: Scene, pointer: Pointer) -> Document | None:
+        return super().preview(scene, pointer) if self.dragged else None
 
     def release(self, scene: Scene, pointer: Pointer) -> Response:
         side, document = self.start.side, scene.document

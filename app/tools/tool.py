@@ -140,6 +140,11 @@ class Tool:
     def release(self, scene: Scene, pointer: Pointer) -> "Response":
         return Response(self)
 
+    def preview(self, scene: Scene, pointer: Pointer) -> Document | None:
+        """Give the document that releasing here would lead to, None where it would change nothing."""
+        commit = self.release(scene, pointer).commit
+        return commit.document if commit is not None else None
+
     def double_press(self, scene: Scene, pointer: Pointer) -> "Response":
         return self.press(scene, pointer)
 

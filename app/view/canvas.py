@@ -5,7 +5,6 @@ from PySide6.QtGui import (
     QFocusEvent,
     QKeyEvent,
     QMouseEvent,
-    QPainter,
     QPaintEvent,
     QPalette,
     QResizeEvent,
@@ -19,6 +18,7 @@ from app.tools.tool import Key, Pointer
 from app.view import words
 from app.view.camera import Camera
 from app.view.canvas_painter import CanvasPainter
+from app.view.drawing import painting
 
 PICK = 9.0
 """Pixels within which a vertex or an edge counts as under the pointer."""
@@ -76,15 +76,12 @@ class Canvas(QWidget):
         self._look(self.camera.zoomed(factor, self.width() / 2, self.height() / 2))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        try:
+        with painting(self) as painter:
             CanvasPainter(painter, self.palette(), self.camera, self._session, self.side).paint()
             if self.hasFocus():
                 painter.setPen(self.palette().color(QPalette.ColorRole.Highlight))
                 painter.setBrush(Qt.BrushStyle.NoBrush)
                 painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
-        finally:
-            painter.end()  # a painter left open after an exception crashes the program later
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         self.camera = self.camera.resized(self.width(), self.height())

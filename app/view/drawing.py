@@ -1,15 +1,37 @@
-"""Arrays of points as what Qt paints."""
+"""Painting, and arrays of points as what Qt paints."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
 import shiboken6
 from PySide6.QtCore import QLineF, QPointF, Qt
-from PySide6.QtGui import QColor, QPen, QPolygonF
+from PySide6.QtGui import QColor, QPaintDevice, QPainter, QPen, QPixmap, QPolygonF
+from PySide6.QtWidgets import QWidget
 
 from starskel.predicates import Floats
 
 _Memory: Any = shiboken6.VoidPtr  # its type information knows only the form without a size
+
+
+@contextmanager
+def painting(device: QPaintDevice) -> Iterator[QPainter]:
+    """Paint, and end it whatever happens: a painter left open crashes the program later."""
+    painter = QPainter(device)
+    try:
+        yield painter
+    finally:
+        painter.end()
+
+
+def layer_for(widget: QWidget) -> QPixmap:
+    """Give a transparent image for the whole of a widget, sharp on its screen."""
+    ratio = widget.devicePixelRatioF()
+    layer = QPixmap(widget.size() * ratio)
+    layer.setDevicePixelRatio(ratio)
+    layer.fill(Qt.GlobalColor.transparent)
+    return layer
 
 
 def polygon_of(points: Floats) -> QPolygonF:

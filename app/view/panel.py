@@ -10,6 +10,7 @@ from app.session import Session
 from app.view import verdicts, words
 from app.view.camera import Camera
 from app.view.display import Display
+from app.view.drawing import painting
 from app.view.frame_painter import FramePainter
 from app.view.player import Player
 from app.view.theme import theme_of
@@ -45,11 +46,8 @@ class FrameView(QWidget):
         self._camera = Camera().resized(self.width(), self.height()).fitting(self._extent, margin=14)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        try:
+        with painting(self) as painter:
             self._paint(painter)
-        finally:
-            painter.end()  # a painter left open after an exception crashes the program later
 
     def _paint(self, painter: QPainter) -> None:
         theme = theme_of(self.palette())

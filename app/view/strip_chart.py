@@ -6,7 +6,7 @@ from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPix
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.session import Session
-from app.view.drawing import faded, pen, polygon_of
+from app.view.drawing import faded, layer_for, painting, pen, polygon_of
 from app.view.player import Player
 from app.view.theme import Theme, theme_of
 from app.view.verdicts import crossing_spans
@@ -105,24 +105,17 @@ class StripChart(QWidget):
         """Paint the curves from an image that is made once a result, and the cursor over it."""
         if self._curves_image is None:
             self._curves_image = self._paint_curves()
-        painter = QPainter(self)
-        painter.drawPixmap(0, 0, self._curves_image)
         x = self.inset + self._player.t * (self.width() - 2 * self.inset)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(pen(theme_of(self.palette()).text, 1.5))
-        painter.drawLine(QPointF(x, 0), QPointF(x, self.height()))
-        painter.end()
+        with painting(self) as painter:
+            painter.drawPixmap(0, 0, self._curves_image)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(pen(theme_of(self.palette()).text, 1.5))
+            painter.drawLine(QPointF(x, 0), QPointF(x, self.height()))
 
     def _paint_curves(self) -> QPixmap:
-        ratio = self.devicePixelRatioF()
-        image = QPixmap(self.size() * ratio)
-        image.setDevicePixelRatio(ratio)
-        image.fill(Qt.GlobalColor.transparent)
-        painter = QPainter(image)
-        try:
+        image = layer_for(self)
+        with painting(image) as painter:
             self._paint(painter, theme_of(self.palette()))
-        finally:
-            painter.end()  # a painter left open after an exception crashes the program later
         return image
 
     def _paint(self, painter: QPainter, theme: Theme) -> None:

@@ -5,6 +5,7 @@ from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSlider, QStyle, QStyleOptionSlider, QWidget
 
 from app.session import Session
+from app.view.drawing import painting
 from app.view.player import Player
 from app.view.theme import theme_of
 from app.view.verdicts import crossing_spans
@@ -51,11 +52,8 @@ class TimeSlider(QSlider):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        painter = QPainter(self)
-        try:
+        with painting(self) as painter:
             self._paint_crossings(painter)
-        finally:
-            painter.end()  # a painter left open after an exception crashes the program later
 
     def _paint_crossings(self, painter: QPainter) -> None:
         painter.setPen(Qt.PenStyle.NoPen)

@@ -15,6 +15,7 @@ from app.playback import Repeat
 from app.session import Session
 from app.view import words
 from app.view.actions import Actions
+from app.view.drawing import painting
 from app.view.player import Player
 from app.view.strip_chart import LANE, StripChart, method_pen
 from app.view.theme import theme_of
@@ -123,11 +124,8 @@ class Legend(QWidget):
         return QSize(self.fontMetrics().horizontalAdvance("star-skeleton") + 60, 40)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        try:
+        with painting(self) as painter:
             self._paint(painter)
-        finally:
-            painter.end()  # a painter left open after an exception crashes the program later
 
     def _paint(self, painter: QPainter) -> None:
         theme = theme_of(self.palette())

@@ -10,10 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from starskel.blending.dissection import dissect
-from starskel.blending.elimination import Factored, factor
+from starskel.blending.laplacian import Factored, factor
 from starskel.blending.mesh import Mesh
-from starskel.polar import Complex
+from starskel.polar import Complex, as_complex, as_points
 from starskel.predicates import ROUNDING, Floats
 
 Indices = NDArray[np.intp]
@@ -65,7 +64,7 @@ class RigidTriangles:
             target_pulls=_pulls(mesh.target[mesh.triangles], weights) * np.exp(-1j * rotations)[:, None],
             corners=corners,
             firsts=np.searchsorted(mesh.triangles.ravel()[corners], np.arange(count)),
-            matrix=factor(dissect(mesh.edges, count), by_edge, held),
+            matrix=factor(mesh.edges, by_edge, held),
         )
 
     def points(self, ts: Floats) -> Complex:
@@ -74,8 +73,7 @@ class RigidTriangles:
         turned = np.exp(1j * ts[:, None] * self.rotations)[:, :, None]
         pulls = turned * ((1 - t) * self.source_pulls + t * self.target_pulls)
         right = np.add.reduceat(pulls.reshape(len(ts), -1)[:, self.corners], self.firsts, axis=1)
-        parts = self.matrix.solve(np.concatenate([right.real, right.imag]))
-        return np.asarray(parts[: len(ts)] + 1j * parts[len(ts) :])
+        return as_complex(self.matrix.solve(as_points(right)))
 
 
 def triangle_rotations(mesh: Mesh) -> Floats:

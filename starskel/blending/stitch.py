@@ -5,10 +5,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from starskel.blending.dissection import Dissection, dissect
-from starskel.blending.elimination import Factored, factor
+from starskel.blending.laplacian import Factored, factor
 from starskel.blending.mesh import Mesh, triangle_areas
-from starskel.polar import Complex
+from starskel.polar import Complex, as_complex, as_points
 from starskel.predicates import Floats
 
 Indices = NDArray[np.intp]
@@ -28,13 +27,11 @@ _LEAST_MASS = 1e-3
 
 @dataclass(frozen=True, eq=False)
 class Graph:
-    """What does not change while weights do: the mesh, its division, which edges end where.
+    """What does not change while weights do: the mesh, which edges end where.
 
     Attributes
     ----------
     mesh : Mesh
-    dissection : Dissection
-        Of the mesh's points.
     ends : (2 e,) array
         All ends of edges, ordered by point: edge i as i where it ends, as i + e where it starts.
     firsts : (m,) array
@@ -48,7 +45,6 @@ class Graph:
     """
 
     mesh: Mesh
-    dissection: Dissection
     ends: Indices
     firsts: Indices
     corners: Indices
@@ -60,7 +56,6 @@ class Graph:
 def graph_of(mesh: Mesh) -> Graph:
     """Prepare what all weights share."""
     count = len(mesh.source)
-    dissection = dissect(mesh.edges, count)
     points = mesh.edges.T[::-1].ravel()
     ends = np.argsort(points, kind="stable")
     corners = np.argsort(mesh.triangles.ravel(), kind="stable")
@@ -73,12 +68,11 @@ def graph_of(mesh: Mesh) -> Graph:
     stiffness = at_edges * (REACH / _relative_lengths(mesh)) ** 2
     return Graph(
         mesh=mesh,
-        dissection=dissection,
         ends=ends,
         firsts=np.searchsorted(points[ends], every),
         corners=corners // 3,
         corner_firsts=np.searchsorted(mesh.triangles.ravel()[corners], every),
-        smoothing=factor(dissection, stiffness, at_points),
+        smoothing=factor(mesh.edges, stiffness, at_points),
         masses=masses,
     )
 
@@ -108,7 +102,7 @@ class Stitch:
         """Factor the problem with these weights, the first point held, as they leave the place free."""
         held = np.zeros(len(graph.mesh.source))
         held[0] = weights.max()
-        return cls(graph, weights, dial, factor(graph.dissection, weights, held))
+        return cls(graph, weights, dial, factor(graph.mesh.edges, weights, held))
 
     def dialled(self, dial: float) -> "Stitch":
         """Give the same problem with another weight for areas."""
@@ -129,8 +123,7 @@ class Stitch:
         pulls = wishes * self.weights
         both = np.concatenate([pulls, -pulls], axis=1)[:, self.graph.ends]
         right = np.add.reduceat(both, self.graph.firsts, axis=1)
-        parts = self.matrix.solve(np.concatenate([right.real, right.imag]))
-        return np.asarray(parts[: len(right)] + 1j * parts[len(right) :])
+        return as_complex(self.matrix.solve(as_points(right)))
 
     def _growth(self, points: Complex, ts: Floats) -> Floats:
         """Give for each point the logarithm of the factor by which edges there should grow.

@@ -141,6 +141,38 @@ def test_an_edit_leaves_the_last_blend_on_screen_marked_out_of_date(arm: Driver)
     assert "out of date" not in verdict(arm, "stitched")
 
 
+def test_frames_follow_a_vertex_while_it_is_dragged(arm: Driver) -> None:
+    before = arm.session.results["stitched"].result
+    x, y = arm.document.vertices("source")[0].tolist()
+    arm.key(Qt.Key.Key_S)
+    arm.press("source", x, y)
+    arm.hover("source", x - 2, y - 2)
+    arm.hover("source", x - 3, y - 3)
+    assert arm.session.results["stitched"].result is before
+    assert arm.session.results["stitched"].stale
+    arm.wait_for_blends()
+    held = arm.session.results["stitched"].result
+    assert held is not None
+    assert np.abs(held.blend.at(0)[0] - (x - 3, y - 3)).max() < 1
+    assert arm.corners("source")[0] == [round(x), round(y)]
+    arm.key(Qt.Key.Key_Escape)
+    assert arm.session.results["stitched"].result is before
+    assert not arm.session.busy
+    arm.release("source", x - 3, y - 3)
+
+
+def test_undo_shows_the_former_blends_at_once(arm: Driver) -> None:
+    before = arm.session.results["stitched"].result
+    x, y = arm.document.vertices("source")[0].tolist()
+    arm.key(Qt.Key.Key_S)
+    arm.drag("source", (x, y), (x - 2, y), (x - 3, y - 3))
+    arm.wait_for_blends()
+    arm.session.undo()
+    assert not arm.session.busy
+    assert arm.session.results["stitched"].result is before
+    assert not arm.session.results["stitched"].stale
+
+
 def test_escape_cancels_the_computation_and_f5_takes_it_up_again(arm: Driver) -> None:
     arm.session.recompute()
     assert arm.session.busy
@@ -190,8 +222,7 @@ def test_the_skeleton_of_a_single_piece_is_its_origin(driver: Driver) -> None:
 
 
 def test_a_cancelled_computation_says_how_to_go_on(arm: Driver) -> None:
-    arm.session.results = {}
-    arm.session.recompute()
+    arm.session.show_project(example("ribbon"))
     arm.key(Qt.Key.Key_Escape)
     messages = [arm.window.panels.panel(method).view.message for method in METHODS]
     assert all("F5" in message for message in messages)

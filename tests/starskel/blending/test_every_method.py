@@ -49,18 +49,19 @@ def test_frames_move_steadily(name, method):
 
 
 @every_method
-def test_one_frame_and_many_frames_agree(method):
+def test_one_frame_and_many_frames_agree_to_the_bit(method):
     prepared_blend = prepared("run-walk", method)
     frames = prepared_blend.frames([0.3, 0.3, 0.9])
-    np.testing.assert_allclose(prepared_blend.at(0.3), frames[0], atol=1e-10)
+    np.testing.assert_array_equal(prepared_blend.at(0.3), frames[0])
     np.testing.assert_array_equal(frames[0], frames[1])
+    np.testing.assert_array_equal(prepared_blend.at(0.9), frames[2])
     assert prepared_blend.frames([]).shape == (0, len(pair_of("run-walk")), 2)
     many = prepared_blend.frames(np.full(5000, 0.3))
-    np.testing.assert_allclose(many, np.broadcast_to(frames[0], many.shape), atol=1e-10)
+    np.testing.assert_array_equal(many, np.broadcast_to(frames[0], many.shape))
 
 
 @every_method
-@pytest.mark.parametrize("name", ["hand-open", "random-16-7"])
+@pytest.mark.parametrize("name", ["hand-open", "random-16-3"])
 def test_equal_input_gives_equal_output_to_the_bit(name, method):
     first, second = (blend(*shapes(name), method=method).frames(TIMES) for _ in range(2))
     assert first.tobytes() == second.tobytes()
@@ -113,7 +114,7 @@ def test_changing_both_shapes_changes_the_frames_alike(name, method, change):
 
 
 @every_method
-@pytest.mark.parametrize("name", ["wrench-hammer", "run-walk", "random-16-7"])
+@pytest.mark.parametrize("name", ["wrench-hammer", "run-walk", "random-16-3"])
 def test_mirrored_shapes_have_mirrored_frames(name, method):
     expected = prepared(name, method).frames(TIMES) * [-1, 1]
     frames = transformed(name, method, lambda ring: ring * [-1, 1])
@@ -122,7 +123,7 @@ def test_mirrored_shapes_have_mirrored_frames(name, method):
 
 
 @every_method
-@pytest.mark.parametrize("name", ["wrench-hammer", "run-walk", "random-16-7"])
+@pytest.mark.parametrize("name", ["wrench-hammer", "run-walk", "random-16-3"])
 def test_the_vertex_that_a_ring_starts_with_does_not_matter(name, method):
     source, target, marks = shapes(name)
     n, m = len(source), len(target)

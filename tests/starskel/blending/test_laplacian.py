@@ -1,8 +1,7 @@
 import numpy as np
 import pytest
 
-from starskel.blending.dissection import BLOCK, dissect
-from starskel.blending.elimination import factor
+from starskel.blending.laplacian import factor
 
 
 def grid(rows, columns):
@@ -34,20 +33,6 @@ every_graph = pytest.mark.parametrize("edges", GRAPHS.values(), ids=GRAPHS)
 
 
 @every_graph
-def test_no_edge_leads_from_one_block_to_another_and_no_point_is_lost(edges):
-    count = int(edges.max()) + 1
-    parts = dissect(edges, count)
-    points = np.concatenate([parts.separator, parts.blocks[parts.blocks < count]])
-    np.testing.assert_array_equal(np.sort(points), np.arange(count))
-    assert parts.blocks.shape[1] <= 2 * BLOCK
-    home = np.full(count, -1)
-    for k, block in enumerate(parts.blocks):
-        home[block[block < count]] = k
-    i, j = home[edges].T
-    assert ((i == j) | (i < 0) | (j < 0)).all()
-
-
-@every_graph
 def test_solutions_are_those_of_the_whole_matrix(edges):
     count = int(edges.max()) + 1
     rng = np.random.default_rng(1)
@@ -58,12 +43,20 @@ def test_solutions_are_those_of_the_whole_matrix(edges):
     for a, b in ((i, j), (j, i)):
         matrix[a, b] -= weights
         np.add.at(matrix, (a, a), weights)
-    wanted = rng.normal(size=(3, count))
-    solution = factor(dissect(edges, count), weights, diagonal).solve(wanted @ matrix)
-    np.testing.assert_allclose(solution, wanted, atol=1e-8)
+    wanted = rng.normal(size=(3, count, 2))
+    right = np.einsum("ij,kjc->kic", matrix, wanted)
+    factored = factor(edges, weights, diagonal)
+    np.testing.assert_allclose(factored.solve(right), wanted, atol=1e-8)
+    np.testing.assert_allclose(factored.solve(right[..., 0]), wanted[..., 0], atol=1e-8)
 
 
-def test_large_meshes_fall_into_many_small_blocks():
-    parts = dissect(wheels(2000, 3), 2003)
-    assert len(parts.separator) < 80
-    assert parts.blocks.shape[1] <= BLOCK
+@every_graph
+def test_each_right_side_is_solved_by_itself(edges):
+    count = int(edges.max()) + 1
+    rng = np.random.default_rng(2)
+    right = rng.normal(size=(7, count, 2))
+    factored = factor(edges, rng.uniform(0.1, 10, len(edges)), np.ones(count))
+    together = factored.solve(right)
+    for k in range(7):
+        np.testing.assert_array_equal(factored.solve(right[k : k + 1])[0], together[k])
+    assert factored.solve(right[:0]).shape == (0, count, 2)

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
-from app import compute
-from app.compute import AT_ONCE, Computer, Failure, Request, Result, Watched
+from app.compute import Computer, Failure, Request, Result, Subject, job
+from app.compute.job import AT_ONCE, Watched
 from starskel import Cancelled, InvalidPolygon, Polygon, blend, measure
 
 SQUARE = Polygon([(0, 0), (10, 0), (10, 10), (0, 10)])
-REQUEST = Request(SQUARE, SQUARE, (), ("vertex", "edge-angle"))
+REQUEST = Request(Subject(SQUARE, SQUARE), ("vertex", "edge-angle"))
 
 
 class Collector:
@@ -48,7 +48,7 @@ def slow(monkeypatch: pytest.MonkeyPatch) -> dict[str, threading.Event]:
                 return blend(pair, method=method)
         raise AssertionError("neither let go nor told to stop")
 
-    monkeypatch.setattr(compute, "blend", slow_blend)
+    monkeypatch.setattr(job, "blend", slow_blend)
     return events
 
 
@@ -64,11 +64,11 @@ def test_every_method_is_delivered_as_soon_as_it_is_there(computer: Computer, qt
 
 def test_the_newest_request_wins(computer: Computer, qtbot: QtBot, slow: dict[str, threading.Event]) -> None:
     seen = Collector(computer)
-    computer.request(Request(SQUARE, SQUARE, (), ("edge-angle",)))
+    computer.request(Request(Subject(SQUARE, SQUARE), ("edge-angle",)))
     assert slow["begun"].wait(5)
     for _ in range(20):
-        computer.request(Request(SQUARE, SQUARE, (), ("edge-angle",)))
-    computer.request(Request(SQUARE, SQUARE, ((0, 1),), ("vertex",)))
+        computer.request(Request(Subject(SQUARE, SQUARE), ("edge-angle",)))
+    computer.request(Request(Subject(SQUARE, SQUARE, ((0, 1),)), ("vertex",)))
     assert slow["stopped"].wait(5)
     slow["go"].set()
     qtbot.waitUntil(lambda: not computer.busy)
@@ -84,9 +84,9 @@ def test_what_an_old_request_still_delivers_is_dropped(
     """The old result is finished and under way to the window when the new request comes."""
     seen = Collector(computer)
     slow["go"].set()
-    computer.request(Request(SQUARE, SQUARE, (), ("edge-angle",)))
+    computer.request(Request(Subject(SQUARE, SQUARE), ("edge-angle",)))
     assert slow["begun"].wait(5)
-    computer.request(Request(SQUARE, SQUARE, (), ("vertex",)))
+    computer.request(Request(Subject(SQUARE, SQUARE), ("vertex",)))
     qtbot.waitUntil(lambda: not computer.busy)
     assert [outcome.method for outcome in seen.outcomes] == ["vertex"]
 
@@ -112,7 +112,7 @@ def test_errors_come_back_as_values_and_the_next_method_still_runs(
             raise InvalidPolygon("something is wrong", "mend it")
         return blend(pair, method=method)
 
-    monkeypatch.setattr(compute, "blend", failing)
+    monkeypatch.setattr(job, "blend", failing)
     seen = Collector(computer)
     computer.request(REQUEST)
     qtbot.waitUntil(lambda: not computer.busy)
@@ -128,7 +128,7 @@ def test_a_fault_in_the_library_does_not_end_the_worker(
     def broken(pair, **rest):  # type: ignore[no-untyped-def]
         raise ZeroDivisionError
 
-    monkeypatch.setattr(compute, "blend", broken)
+    monkeypatch.setattr(job, "blend", broken)
     seen = Collector(computer)
     computer.request(REQUEST)
     qtbot.waitUntil(lambda: not computer.busy)
@@ -153,7 +153,7 @@ def test_closing_stops_a_running_computation(
 
 def test_the_decomposition_is_computed_once_for_all_methods(computer: Computer, qtbot: QtBot) -> None:
     seen = Collector(computer)
-    computer.request(Request(SQUARE, SQUARE, (), ("star-skeleton", "stitched")))
+    computer.request(Request(Subject(SQUARE, SQUARE), ("star-skeleton", "stitched")))
     qtbot.waitUntil(lambda: not computer.busy)
     first, second = (outcome.blend for outcome in seen.outcomes if isinstance(outcome, Result))
     assert first.decomposition is not None
@@ -187,8 +187,54 @@ def test_being_watched_changes_no_frame() -> None:
 
 def test_the_box_holds_all_frames(computer: Computer, qtbot: QtBot) -> None:
     seen = Collector(computer)
-    computer.request(Request(SQUARE, Polygon([(20, 0), (24, 0), (24, 30)]), (), ("vertex",)))
+    computer.request(Request(Subject(SQUARE, Polygon([(20, 0), (24, 0), (24, 30)])), ("vertex",)))
     qtbot.waitUntil(lambda: not computer.busy)
     (outcome,) = seen.outcomes
     assert isinstance(outcome, Result)
     assert outcome.box.tolist() == [[0, 0], [24, 30]]
+
+
+def live(x: float, *methods: str) -> Request:
+    """A moment of a gesture that drags a corner."""
+    return Request(Subject(SQUARE, Polygon([(0, 0), (10, 0), (10, x), (0, 10)])), methods, live=True)
+
+
+def test_a_gesture_does_not_end_its_own_requests_and_only_the_newest_waits(
+    computer: Computer, qtbot: QtBot, slow: dict[str, threading.Event]
+) -> None:
+    seen = Collector(computer)
+    for x in (11, 12, 13, 14):
+        computer.request(live(x, "edge-angle"))
+    assert computer.behind
+    slow["go"].set()
+    qtbot.waitUntil(lambda: not computer.busy)
+    corners = [outcome.blend.pair.target[2, 1] for outcome in seen.outcomes if isinstance(outcome, Result)]
+    assert corners == [11, 14]
+    assert not slow["stopped"].is_set()
+
+
+def test_methods_that_gave_way_come_first_the_next_time(
+    computer: Computer, qtbot: QtBot, slow: dict[str, threading.Event], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("app.compute.computer.PATIENCE", 0.0)
+    seen = Collector(computer)
+    computer.request(live(11, "vertex", "edge-angle"))
+    assert slow["begun"].wait(5)
+    computer.request(live(12, "vertex", "edge-angle"))
+    slow["go"].set()
+    qtbot.waitUntil(lambda: not computer.busy)
+    assert [outcome.method for outcome in seen.outcomes] == ["vertex", "edge-angle", "vertex"]
+
+
+def test_the_end_of_a_gesture_does_not_wait(
+    computer: Computer, qtbot: QtBot, slow: dict[str, threading.Event]
+) -> None:
+    seen = Collector(computer)
+    for x in (11, 12):
+        computer.request(live(x, "edge-angle"))
+    assert slow["begun"].wait(5)
+    computer.request(Request(Subject(SQUARE, SQUARE), ("vertex",)))
+    assert slow["stopped"].wait(5)
+    slow["go"].set()
+    qtbot.waitUntil(lambda: not computer.busy)
+    assert [outcome.method for outcome in seen.outcomes] == ["vertex"]

@@ -1,0 +1,114 @@
+"""The blends that are on the screen, and the memory of those that were."""
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from app.compute.computer import Computer
+from app.compute.request import Failure, MethodState, Request, Result, Subject
+from starskel import METHODS
+
+REMEMBERED = 40
+"""So many results are kept, so that undo, and a gesture given up, need not compute anew."""
+
+
+UNHURRIED = frozenset({"certified"})
+"""Methods too slow to follow a gesture; they are computed when it ends."""
+
+
+class Blends(QObject):
+    """Keeps the results of the methods that are shown in step with what is blended.
+
+    Attributes
+    ----------
+    results : dict of str to MethodState
+        For each method what there is to show.
+    """
+
+    changed = Signal()
+    progressed = Signal(str, float)
+    busy_changed = Signal(bool)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.results: dict[str, MethodState] = {}
+        self._subject: Subject | None = None
+        self._memory: dict[tuple[str, Subject], Result] = {}
+        self._computer = Computer(self)
+        self._computer.delivered.connect(self._take)
+        self._computer.progressed.connect(self.progressed)
+        self._computer.busy_changed.connect(self.busy_changed)
+
+    @property
+    def busy(self) -> bool:
+        """Whether the worker is computing."""
+        return self._computer.busy
+
+    @property
+    def fresh(self) -> tuple[Result, ...]:
+        """The blends of the shapes as they are now, in the order in which they are shown."""
+        states = self.results.values()
+        return tuple(state.result for state in states if state.result is not None and not state.stale)
+
+    def show(self, subject: Subject | None, methods: tuple[str, ...], *, live: bool = False) -> None:
+        """Have these methods blend this, or nothing; results that hold are kept, what is missing is computed.
+
+        `live` says that a gesture is under way and more of the kind will follow.
+        """
+        same = subject == self._subject
+        if live and same:
+            return
+        self._subject = subject
+        if subject is None:
+            self._computer.cancel()
+            self.results = {method: MethodState() for method in methods}
+        else:
+            self.results = {method: self._state(method, subject, same) for method in methods}
+            if wanted := self._wanted(live):
+                self._computer.request(Request(subject, wanted, live))
+            elif not same:
+                self._computer.cancel()
+        self.changed.emit()
+
+    def recompute(self) -> None:
+        """Compute all of them anew."""
+        subject, self._subject = self._subject, None
+        self._memory.clear()
+        self.show(subject, tuple(self.results))
+
+    def forget(self) -> None:
+        """Show nothing until something else is blended."""
+        self._subject, self.results = None, {}
+        self._memory.clear()
+
+    def cancel(self) -> None:
+        """Stop computing."""
+        self._computer.cancel()
+
+    def close(self) -> None:
+        """End the worker; to be called before the program ends."""
+        self._computer.close()
+
+    def _state(self, method: str, subject: Subject, same: bool) -> MethodState:
+        known = self.results.get(method, MethodState())
+        if same and not known.stale:
+            return known
+        remembered = self._memory.get((method, subject))
+        return known.outdated() if remembered is None else known.after(remembered)
+
+    def _wanted(self, live: bool) -> tuple[str, ...]:
+        """Give the methods to compute, the simplest first, so that there is something to see at once."""
+        stale = [method for method in METHODS if method in self.results and self.results[method].stale]
+        return tuple(method for method in stale if not (live and method in UNHURRIED))
+
+    @Slot(object)
+    def _take(self, outcome: Result | Failure) -> None:
+        behind = self._computer.behind
+        if outcome.method in self.results:
+            self.results[outcome.method] = self.results[outcome.method].after(outcome, stale=behind)
+            self.changed.emit()
+        if isinstance(outcome, Result) and self._subject is not None and not behind:
+            self._remember(self._subject, outcome)
+
+    def _remember(self, subject: Subject, result: Result) -> None:
+        self._memory[result.method, subject] = result
+        while len(self._memory) > REMEMBERED:
+            del self._memory[next(iter(self._memory))]

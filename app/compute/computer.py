@@ -1,0 +1,140 @@
+"""The worker thread and the window's end of it.
+
+The window sets the newest generation before it sends a request, and the worker compares it whenever the
+library asks whether to stop. So an old request ends within the library's promise (100 ms), and whatever it
+still delivers carries an old generation and is dropped.
+
+Requests of a gesture under way come faster than they can be worked off. If each ended the one before, none
+would ever be finished; so the newest of them waits until the one being worked off gives way.
+"""
+
+from dataclasses import replace
+from time import monotonic
+
+from PySide6.QtCore import QObject, QThread, Signal, Slot
+
+from app.compute.job import Job
+from app.compute.request import Failure, Request, Result
+from starskel.errors import Cancelled
+
+PATIENCE = 0.05
+"""Seconds after which a request of a gesture gives way to a newer one, as soon as a method is done."""
+
+
+class Worker(QObject):
+    """Works off requests, in its own thread."""
+
+    delivered = Signal(int, object)
+    progressed = Signal(int, str, float)
+    finished = Signal(int, object)
+    """A generation, and the methods that gave way to a newer request."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        # both are set by the window and read here, and are single values: no lock
+        self.newest = 0
+        self.hurried = False
+
+    @Slot(object)
+    def work(self, request: Request) -> None:
+        begun = monotonic()
+
+        def is_old() -> bool:
+            return self.newest != request.generation
+
+        def report(method: str, fraction: float) -> None:
+            self.progressed.emit(request.generation, method, fraction)
+
+        job = Job(request, is_old, report)
+        left = list(request.methods)
+        try:
+            while left and not (self.hurried and monotonic() - begun > PATIENCE):
+                self.delivered.emit(request.generation, job.outcome(left.pop(0)))
+        except Cancelled:
+            return
+        self.finished.emit(request.generation, tuple(left))
+
+
+class Computer(QObject):
+    """The window's end of the worker: sends requests, passes on what still matters."""
+
+    delivered = Signal(object)
+    progressed = Signal(str, float)
+    busy_changed = Signal(bool)
+    _requested = Signal(object)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.busy = False
+        self._running: Request | None = None
+        self._waiting: Request | None = None
+        self._worker = Worker()
+        self._thread = QThread(self)
+        self._worker.moveToThread(self._thread)
+        self._requested.connect(self._worker.work)
+        self._worker.delivered.connect(self._deliver)
+        self._worker.progressed.connect(self._progress)
+        self._worker.finished.connect(self._finish)
+        self._thread.start()
+
+    @property
+    def behind(self) -> bool:
+        """Whether what is being computed has been overtaken by a newer request, which waits."""
+        return self._waiting is not None
+
+    def request(self, request: Request) -> None:
+        """Compute this instead of what is being computed; that of a gesture may first finish its method."""
+        if request.live and self._running is not None and self._running.live:
+            self._waiting = request
+            self._worker.hurried = True
+        else:
+            self._send(request)
+
+    def cancel(self) -> None:
+        """Stop computing; nothing more is delivered."""
+        self._worker.newest += 1
+        self._rest()
+
+    def close(self) -> None:
+        """Stop and end the thread; to be called before the program ends."""
+        self.cancel()
+        self._thread.quit()
+        self._thread.wait()
+
+    def _send(self, request: Request) -> None:
+        self._worker.newest += 1
+        self._worker.hurried = False
+        self._running, self._waiting = replace(request, generation=self._worker.newest), None
+        self._set_busy(True)
+        self._requested.emit(self._running)
+
+    def _rest(self) -> None:
+        self._running = self._waiting = None
+        self._set_busy(False)
+
+    @Slot(int, object)
+    def _deliver(self, generation: int, outcome: Result | Failure) -> None:
+        if generation == self._worker.newest:
+            self.delivered.emit(outcome)
+
+    @Slot(int, str, float)
+    def _progress(self, generation: int, method: str, fraction: float) -> None:
+        if generation == self._worker.newest:
+            self.progressed.emit(method, fraction)
+
+    @Slot(int, object)
+    def _finish(self, generation: int, left: tuple[str, ...]) -> None:
+        """Go on with the request that waits; the methods that gave way to it are first in turn."""
+        if generation != self._worker.newest:
+            return
+        if self._waiting is None:
+            self._rest()
+        else:
+            others = tuple(method for method in self._waiting.methods if method not in left)
+            kept = tuple(method for method in left if method in self._waiting.methods)
+            self._send(replace(self._waiting, methods=kept + others))
+
+    def _set_busy(self, busy: bool) -> None:
+        if busy != self.busy:
+            self.busy = busy
+            self.busy_changed.emit(busy)

@@ -1,0 +1,103 @@
+"""What is asked of the worker, and what comes back."""
+
+from dataclasses import dataclass, replace
+
+from app.model.marks import Marks
+from starskel import Blend, Report
+from starskel.polygon import Polygon
+from starskel.predicates import Floats
+
+
+@dataclass(frozen=True)
+class Subject:
+    """What is to be blended.
+
+    Attributes
+    ----------
+    source, target : Polygon
+        The shapes.
+    marks : tuple of (int, int)
+        What corresponds.
+    """
+
+    source: Polygon
+    target: Polygon
+    marks: Marks = ()
+
+
+@dataclass(frozen=True)
+class Request:
+    """What is to be blended, and how.
+
+    Attributes
+    ----------
+    subject : Subject
+        The shapes, and what corresponds.
+    methods : tuple of str
+        The methods, in the order in which they are wanted.
+    live : bool
+        Whether it shows a gesture under way, so that a newer one will follow soon.
+    generation : int
+        Grows from request to request.
+    """
+
+    subject: Subject
+    methods: tuple[str, ...]
+    live: bool = False
+    generation: int = 0
+
+
+@dataclass(frozen=True, eq=False)
+class Result:
+    """A blend and what was measured of it.
+
+    Attributes
+    ----------
+    method : str
+    blend : Blend
+    report : Report
+    box : (2, 2) array
+        The lower left and the upper right corner of all frames.
+    """
+
+    method: str
+    blend: Blend
+    report: Report
+    box: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class Failure:
+    """Why there is no blend by this method."""
+
+    method: str
+    error: Exception
+
+
+@dataclass(frozen=True, eq=False)
+class MethodState:
+    """What there is to show of one method.
+
+    Attributes
+    ----------
+    result : Result or None
+        The last good one.
+    error : Exception or None
+        Why there is no newer one.
+    stale : bool
+        Whether it belongs to shapes that have changed since.
+    """
+
+    result: Result | None = None
+    error: Exception | None = None
+    stale: bool = True
+
+    def outdated(self) -> "MethodState":
+        """Mark it stale; the last good blend stays."""
+        return replace(self, error=None, stale=True)
+
+    def after(self, outcome: Result | Failure, *, stale: bool = False) -> "MethodState":
+        """Take in what the worker delivered, which may have been overtaken by the next change."""
+        if isinstance(outcome, Result):
+            return MethodState(outcome, stale=stale)
+        return replace(self, error=outcome.error)
