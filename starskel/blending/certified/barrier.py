@@ -11,7 +11,7 @@ import numpy as np
 from scipy import sparse
 
 from starskel.certificate import Indices, near_pairs, seen_ends
-from starskel.polar import Complex, as_complex
+from starskel.polar import Complex
 from starskel.predicates import Floats
 
 REACH = 0.05
@@ -70,11 +70,6 @@ class Barrier:
         pushed = contacts(frame, self.vertex, self.edge).distance / self.reach
         return float((np.log(pushed[pushed < 1]) ** 2).sum() / 2)
 
-    def least(self, frame: Complex) -> float:
-        """Give the least distance as a part of the reach; infinite where there are no pairs."""
-        pushed = contacts(frame, self.vertex, self.edge).distance / self.reach
-        return float(pushed.min(initial=np.inf))
-
     def linear(self, frame: Complex, unknowns: int) -> tuple[Floats, sparse.csr_array]:
         """Give the logarithms of pairs within reach, and their derivatives by x0, y0, x1, y1, ..."""
         n = len(frame)
@@ -101,8 +96,3 @@ def contacts(frame: Complex, vertex: Indices, edge: Indices) -> Contact:
     away = -(p + share * along)
     distance = np.maximum(np.abs(away), np.finfo(np.float64).tiny)
     return Contact(distance, away / distance, share)
-
-
-def as_row(frame: Floats) -> Complex:
-    """Give a frame as complex numbers."""
-    return as_complex(frame)

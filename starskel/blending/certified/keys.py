@@ -6,13 +6,15 @@ from itertools import pairwise
 
 import numpy as np
 
-from starskel.certificate import safe
 from starskel.outline import cross_themselves
 from starskel.predicates import Floats
 from starskel.task import Task
 
 Guide = Callable[[Floats], Floats]
 """Gives the (k, n, 2) frames that are wanted at k times, if only they were simple."""
+
+Linked = Callable[[Floats, Floats], bool]
+"""Tells whether the even motion from one frame to another is good enough."""
 
 LINKS = 32
 """The least number of links."""
@@ -33,27 +35,23 @@ Chain = list[Key]
 """Keys in the order of time, linked by even motions."""
 
 
-def chain_of(source: Floats, target: Floats, guide: Guide, task: Task) -> list[Chain]:
-    """Give a guide's frames as chains, all links of each safe; there are gaps between one chain and the next.
+def chains_of(source: Floats, target: Floats, guide: Guide, linked: Linked, task: Task) -> list[Chain]:
+    """Give a guide's frames as chains of good links; there are gaps between one chain and the next.
 
     The first chain begins with the source and the last ends with the target, to the bit.
     """
     times = np.linspace(0, 1, LINKS + 1)
     frames = [source, *guide(times[1:-1]), target]
     keys = [Key(float(t), frame) for t, frame in zip(times, frames, strict=True)]
-    crossing = cross_themselves(np.stack(frames))
-    crossing[[0, -1]] = False  # polygons are simple: what rounding makes of them does not count
+    simple = ~cross_themselves(np.stack(frames))
+    simple[[0, -1]] = True  # polygons are simple, whatever rounding makes of vertices inserted on their edges
     chains = [[keys[0]]]
-    for (before, after), through in zip(pairwise(keys), crossing[:-1] | crossing[1:], strict=True):
-        task.reach(before.t)
-        found = [[before], [after]] if through else _linked(before, after, guide, BISECTIONS)
-        _append(chains, found)
-    kept = [chain for chain in chains if not _all_crossing(chain, keys, crossing)]
-    return kept
-
-
-def _all_crossing(chain: Chain, keys: Chain, crossing: np.ndarray) -> bool:
-    return len(chain) == 1 and any(key is chain[0] and bad for key, bad in zip(keys, crossing, strict=True))
+    for before, after in pairwise(np.flatnonzero(simple)):
+        task.reach(keys[before].t)
+        through = after - before > 1
+        pieces = [[keys[before]], [keys[after]]]
+        _append(chains, pieces if through else _linked(keys[before], keys[after], guide, linked, BISECTIONS))
+    return chains
 
 
 def _append(chains: list[Chain], found: list[Chain]) -> None:
@@ -62,24 +60,18 @@ def _append(chains: list[Chain], found: list[Chain]) -> None:
     chains += found[1:]
 
 
-def _linked(before: Key, after: Key, guide: Guide, bisections: int) -> list[Chain]:
-    """Link two keys safely, by frames between them where that is needed and helps."""
-    if safe(before.frame, after.frame):
+def _linked(before: Key, after: Key, guide: Guide, linked: Linked, bisections: int) -> list[Chain]:
+    """Link two keys, by frames between them where that is needed and helps."""
+    if linked(before.frame, after.frame):
         return [[before, after]]
     t = (before.t + after.t) / 2
     frame = guide(np.array([t]))
     if not bisections or cross_themselves(frame)[0]:
         return [[before], [after]]
     middle = Key(t, frame[0])
-    chains = _linked(before, middle, guide, bisections - 1)
-    _append(chains, _linked(middle, after, guide, bisections - 1))
+    chains = _linked(before, middle, guide, linked, bisections - 1)
+    _append(chains, _linked(middle, after, guide, linked, bisections - 1))
     return chains
-
-
-def guided(keys: Chain) -> Guide:
-    """Give the even motions between keys as a guide."""
-    times, frames = np.array([key.t for key in keys]), np.stack([key.frame for key in keys])
-    return lambda ts: between(times, frames, ts)
 
 
 def between(times: Floats, frames: Floats, ts: Floats) -> Floats:

@@ -5,9 +5,8 @@ One of the two followers often gets stuck on the wrong side of an obstacle, seld
 
 import numpy as np
 
-from starskel.blending.certified.keys import Chain, Guide, Key
+from starskel.blending.certified.keys import Chain, Guide, Key, Linked
 from starskel.blending.certified.tracking import Pull, Track
-from starskel.certificate import safe
 from starskel.predicates import Floats
 from starskel.task import Task
 
@@ -26,7 +25,7 @@ def bridged(before: Key, after: Key, guide: Guide, pull: Pull, task: Task) -> Ch
     wanted[0], wanted[-1] = before.frame, after.frame
     ahead = pull.track(wanted, task.part(0, 0.5))
     back = pull.track(wanted[::-1], task.part(0.5, 1))
-    meeting = _meeting(ahead, back)
+    meeting = _meeting(ahead, back, pull.linked)
     if meeting is None:
         return None
     there, rest = ahead.until(meeting), back.until(count - meeting)
@@ -34,12 +33,12 @@ def bridged(before: Key, after: Key, guide: Guide, pull: Pull, task: Task) -> Ch
     return _retimed([*there, *rest[::-1]], np.array(moments))
 
 
-def _meeting(ahead: Track, back: Track) -> int | None:
-    """Give the moment at which going over from one to the other makes the way shortest, if any is safe."""
+def _meeting(ahead: Track, back: Track, linked: Linked) -> int | None:
+    """Give the moment at which going over from one to the other makes the way shortest, if any link is good."""
     across = [np.sqrt(((f - b) ** 2).mean()) for f, b in zip(ahead.places, back.places[::-1], strict=True)]
     whole = ahead.ways + across + back.ways[::-1]
     for k in np.argsort(whole, kind="stable"):
-        if safe(ahead.places[k], back.places[-1 - k]):
+        if linked(ahead.places[k], back.places[-1 - k]):
             return int(k)
     return None
 

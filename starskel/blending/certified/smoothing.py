@@ -4,13 +4,9 @@ What is smoothed is by how much keys differ from the frames that are wanted, not
 nothing is lost of the wanted motion.
 """
 
-from collections.abc import Callable
-
 import numpy as np
 
-from starskel.blending.certified.keys import Chain, Guide, Key
-from starskel.certificate import safe
-from starskel.predicates import Floats
+from starskel.blending.certified.keys import Chain, Guide, Key, Linked
 from starskel.task import Task
 
 SWEEPS = 6
@@ -19,16 +15,14 @@ SWEEPS = 6
 DEVIATION = 2e-3
 """Keys are left out where the way without them differs by less, at every vertex, as a part of the size."""
 
-Allowed = Callable[[Floats, Floats], bool]
 
-
-def thinned(keys: Chain, size: float) -> Chain:
-    """Leave out keys that the others do without, all links still safe (Ramer 1972, Douglas and Peucker 1973)."""
+def thinned(keys: Chain, size: float, linked: Linked) -> Chain:
+    """Leave out keys that the others do without, all links still good (Ramer 1972, Douglas and Peucker 1973)."""
     kept, waiting = [keys[0]], [keys]
     while waiting:
         part = waiting.pop()
         worst, deviation = _worst(part)
-        if len(part) == 2 or (deviation < DEVIATION * size and safe(part[0].frame, part[-1].frame)):
+        if len(part) == 2 or (deviation < DEVIATION * size and linked(part[0].frame, part[-1].frame)):
             kept.append(part[-1])
         else:
             waiting += [part[worst:], part[: worst + 1]]
@@ -46,7 +40,7 @@ def _worst(keys: Chain) -> tuple[int, float]:
     return int(deviations.argmax()) + 1, float(deviations.max())
 
 
-def smoothed(keys: Chain, guide: Guide, allowed: Allowed, task: Task) -> Chain:
+def smoothed(keys: Chain, guide: Guide, linked: Linked, task: Task) -> Chain:
     """Smooth by how much inner keys differ from the guide's frames; the ends stay."""
     times = np.array([key.t for key in keys])
     frames = np.stack([key.frame for key in keys])
@@ -58,6 +52,6 @@ def smoothed(keys: Chain, guide: Guide, allowed: Allowed, task: Task) -> Chain:
                 share = (times[k] - times[k - 1]) / (times[k + 1] - times[k - 1])
                 away = frames[k - 1 : k + 2] - wanted[k - 1 : k + 2]
                 there = wanted[k] + (away[1] + (1 - share) * away[0] + share * away[2]) / 2
-                if allowed(frames[k], there) and safe(frames[k - 1], there) and safe(there, frames[k + 1]):
+                if linked(frames[k - 1], there) and linked(there, frames[k + 1]):
                     frames[k] = there
     return [Key(key.t, frame) for key, frame in zip(keys, frames, strict=True)]

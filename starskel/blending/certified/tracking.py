@@ -6,15 +6,16 @@ taken is a safe link.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
 from starskel.blending.certified.barrier import Barrier
+from starskel.blending.certified.keys import Linked
 from starskel.blending.certified.metric import Metric
-from starskel.certificate import Indices, safe
+from starskel.certificate import Indices
 from starskel.polar import Complex, as_complex, as_points
 from starskel.predicates import Floats
 from starskel.task import Task
@@ -30,9 +31,6 @@ HALVINGS = 5
 
 SETTLED = 1e-4
 """A step shorter than this part of the size, at every vertex, ends a moment."""
-
-KEPT = 0.02
-"""The least distance of a pair that is kept where that is possible, as a part of its reach."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,13 +77,13 @@ class Pull:
     metric : Metric
     met : tuple of (n,) complex arrays
         Frames where nothing pushes.
-    kept : float
-        The least distance of pairs, as a part of their reach; nearer ones may only part.
+    linked : Linked
+        What is asked of every step.
     """
 
     metric: Metric
     met: tuple[Complex, ...]
-    kept: float = KEPT
+    linked: Linked
 
     def track(self, wanted: Floats, task: Task) -> Track:
         """Follow (k, n, 2) frames from the first on."""
@@ -96,11 +94,9 @@ class Pull:
             arrivals.append(len(frames) - 1)
         return Track(frames, np.array(arrivals))
 
-    def allowed(self, now: Floats, after: Floats) -> bool:
-        """Tell whether no pair comes nearer than is kept, or than it is."""
-        row, there = as_complex(now), as_complex(after)
-        barrier = Barrier.near(there, self.met, self.metric.size)
-        return barrier.least(there) >= min(barrier.least(row), self.kept)
+    def meeting(self, frames: tuple[Complex, ...]) -> "Pull":
+        """Give the same where nothing pushes in these frames, either."""
+        return replace(self, met=(*self.met, *frames))
 
     def _towards(self, now: Floats, goal: Floats, task: Task) -> Iterator[Floats]:
         barrier = Barrier.near(as_complex(now), self.met, self.metric.size)
@@ -131,15 +127,10 @@ class Pull:
     def _taken(self, now: Floats, goal: Floats, step: Complex, barrier: Barrier) -> Floats | None:
         """Give the frame after as much of a step as lessens the energy and is safe; None if hardly any is."""
         row = as_complex(now)
-        least = min(barrier.least(row), self.kept)
         energy = self._energy(row, goal, barrier)
         for _ in range(HALVINGS):
             there = row + step
-            if (
-                barrier.least(there) >= least
-                and self._energy(there, goal, barrier) < energy
-                and safe(now, as_points(there))
-            ):
+            if self._energy(there, goal, barrier) < energy and self.linked(now, as_points(there)):
                 return as_points(there)
             step = step / 2
         return None
