@@ -52,7 +52,7 @@ def clearance(keys: Floats, task: Task = UNWATCHED) -> float:
 
 
 def _least(corners: Complex, known: float) -> float:
-    """Give the least distance of (4, k) edges in motion, two ends before and two after, if less than known."""
+    """Give the least distance of (4, k) edges in motion, two ends before and two after, or what is known."""
     for _ in range(_HALVINGS):
         corners = corners[:, _bounds(corners) < TIGHT * known]
         if not corners.shape[1]:

@@ -1,7 +1,7 @@
 """What keeps vertices off edges: an energy that rises where a pair comes nearer than at both ends of the way.
 
 The energy of a pair at distance d is the squared logarithm of d / h below its reach h, and zero beyond. The
-reach is less than the pair's distance in each of the frames that must be met exactly: there it pushes nothing.
+reach is less than the pair's distance in each frame that must be met exactly: there it pushes nothing.
 """
 
 from dataclasses import dataclass
@@ -22,8 +22,7 @@ SHARE = 0.7
 
 
 class Contact(NamedTuple):
-    """Vertices and edges near each other: distances, directions (edge to vertex), and shares of the way on the
-    edge to the nearest point."""
+    """Of vertices and edges: distances, directions (edge to vertex), how far along the edge is nearest."""
 
     distance: Floats
     direction: Complex

@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from starskel.blending.certified.keys import between
-from starskel.blending.certified.path import Way, path
+from starskel.blending.certified.path import path
 from starskel.blending.frames import Blend
 from starskel.blending.stitched import StitchedBlend
 from starskel.clearance import clearance
@@ -78,7 +78,7 @@ class CertifiedBlend(Blend):
 
 
 def _comes_second(source: Floats, target: Floats) -> bool:
-    """Tell whether the target comes first in an order that moving, turning and scaling both does not change."""
+    """Tell whether the target comes first, in an order that moving, turning and scaling do not change."""
     for measure in (signed_area, lambda ring: float(edge_lengths(ring).sum())):
         first, second = measure(source), measure(target)
         if abs(first - second) > _EQUAL * max(first, second):

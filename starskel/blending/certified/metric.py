@@ -1,4 +1,4 @@
-"""How far a frame is from the one that is wanted: the strain of the star pieces' fans, not the way of each vertex."""
+"""How far a frame is from the one that is wanted, by the strain of the fans, not by the vertices' ways."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

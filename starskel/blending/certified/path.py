@@ -1,17 +1,18 @@
-"""The way from the source to the target: the wanted frames where they are simple, the least repair elsewhere."""
+"""From source to target: by the wanted frames where they are simple, by the least repair elsewhere."""
 
 from dataclasses import dataclass
 from enum import StrEnum
 
-import numpy as np
-
+from starskel.blending.certified.convex_combination import convex_combination_of
 from starskel.blending.certified.keys import Chain, Guide, Key, chains_of
-from starskel.blending.certified.metric import metric_of
+from starskel.blending.certified.metric import Metric, metric_of
 from starskel.blending.certified.repair import bridged
-from starskel.blending.certified.smoothing import smoothed, thinned
 from starskel.blending.certified.room import KEPT, Room
+from starskel.blending.certified.smoothing import smoothed, thinned
+from starskel.blending.certified.surroundings import surroundings_of
 from starskel.blending.certified.tracking import Pull
 from starskel.decomposition.pieces import Decomposition
+from starskel.errors import StarskelError
 from starskel.polar import as_complex
 from starskel.task import Task
 
@@ -42,15 +43,22 @@ class Repair:
     guide: Guide
     pull: Pull
 
-    def closed(self, chains: list[Chain], margin: float, task: Task) -> list[Chain]:
-        """Bridge the gaps between chains, each widened by a margin; those that resist stay."""
+    def bridged(self, chains: list[Chain], task: Task) -> Chain | None:
+        """Bridge all gaps, with ever wider margins, and at last the whole time; None if one resists."""
+        for number, margin in enumerate(MARGINS):
+            chains = self._narrowed(chains, margin, task.part(number / 4, (number + 1) / 4))
+            if len(chains) == 1:
+                return chains[0]
+        return self._bridge(chains[0][0], chains[-1][-1], task.part(3 / 4, 1))
+
+    def _narrowed(self, chains: list[Chain], margin: float, task: Task) -> list[Chain]:
+        """Bridge gaps, each widened by a margin; those that resist stay."""
         long = [chain for chain in chains[1:-1] if chain[-1].t - chain[0].t > 2 * margin]
         chains = [chains[0], *long, chains[-1]]  # what is shorter lies within the margins of two gaps
-        done = [chains[0]]
+        done, share = [chains[0]], 1 / (len(chains) - 1)
         for at, chain in enumerate(chains[1:]):
             left = [key for key in done[-1] if key.t <= done[-1][-1].t - margin] or done[-1][:1]
             right = [key for key in chain if key.t >= chain[0].t + margin] or chain[-1:]
-            share = 1 / (len(chains) - 1)
             bridge = self._bridge(left[-1], right[0], task.part(at * share, (at + 1) * share))
             if bridge is None:
                 done.append(chain)
@@ -81,21 +89,37 @@ def path(decomposition: Decomposition, guide: Guide, task: Task) -> tuple[Chain,
     ------
     Cancelled
         If the task is told to stop.
+    StarskelError
+        If the shapes are too narrow somewhere for floating point.
     """
+    metric = metric_of(decomposition, task)
     source, target = decomposition.pair.source, decomposition.pair.target
     ends = as_complex(source), as_complex(target)
-    size = float(max(np.ptp(source, axis=0).max(), np.ptp(target, axis=0).max()))
-    for kept in (KEPT * size, 0.0):
+    for number, kept in enumerate((KEPT * metric.size, 0.0)):
+        stretch = task.part(0.4 * number, 0.4 * (number + 1))
         room = Room(ends, kept)
-        chains = chains_of(source, target, guide, room.links, task.part(0, 0.1))
+        chains = chains_of(source, target, guide, room.links, stretch.part(0, 0.2))
         if len(chains) == 1:
             return chains[0], Way.AS_IT_IS
-        repair = Repair(guide, Pull(metric_of(decomposition, task.part(0.1, 0.1)), ends, room.links))
-        for margin in MARGINS:
-            chains = repair.closed(chains, margin, task.part(0.1, 0.3))
-            if len(chains) == 1:
-                return chains[0], Way.REPAIRED
-        whole = repair.closed([chains[0][:1], chains[-1][-1:]], 0, task.part(0.7, 0.9))
-        if len(whole) == 1:
-            return whole[0], Way.REPAIRED
-    raise NotImplementedError
+        keys = Repair(guide, Pull(metric, ends, room.links)).bridged(chains, stretch.part(0.2, 1))
+        if keys is not None:
+            return keys, Way.REPAIRED
+    return _by_convex_combination(decomposition, metric, task.part(0.8, 1)), Way.CONVEX
+
+
+def _by_convex_combination(decomposition: Decomposition, metric: Metric, task: Task) -> Chain:
+    """Take the frames of a morph that never crosses itself, so densely that all links are safe."""
+    pair = decomposition.pair
+    room = Room((), 0.0)
+    morph = convex_combination_of(surroundings_of(decomposition, task.part(0, 0.5)), len(pair))
+    chains = chains_of(pair.source, pair.target, morph.frames, room.links, task.part(0.5, 0.8))
+    if len(chains) == 1:
+        return chains[0]
+    ends = as_complex(pair.source), as_complex(pair.target)
+    keys = Repair(morph.frames, Pull(metric, ends, room.links)).bridged(chains, task.part(0.8, 1))
+    if keys is None:
+        raise StarskelError(
+            "no blend without crossings was found: a shape is all but as narrow as rounding",
+            "widen its narrowest parts, or add marks",
+        )
+    return keys

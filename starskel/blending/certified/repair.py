@@ -34,7 +34,7 @@ def bridged(before: Key, after: Key, guide: Guide, pull: Pull, task: Task) -> Ch
 
 
 def _meeting(ahead: Track, back: Track, linked: Linked) -> int | None:
-    """Give the moment at which going over from one to the other makes the way shortest, if any link is good."""
+    """Give the moment at which changing over makes the way shortest, of those where the link is good."""
     across = [np.sqrt(((f - b) ** 2).mean()) for f, b in zip(ahead.places, back.places[::-1], strict=True)]
     whole = ahead.ways + across + back.ways[::-1]
     for k in np.argsort(whole, kind="stable"):
@@ -44,7 +44,7 @@ def _meeting(ahead: Track, back: Track, linked: Linked) -> int | None:
 
 
 def _retimed(frames: list[Floats], moments: Floats) -> Chain:
-    """Time keys half by the moments that they were made for, and half by the way; drop those that stand still."""
+    """Time keys half by their moments and half by the way; drop those that stand still."""
     steps = np.sqrt((np.diff(np.stack(frames), axis=0) ** 2).mean(axis=(1, 2)))
     ways = np.concatenate([[0.0], np.cumsum(steps)])
     start, end = moments[0], moments[-1]

@@ -1,4 +1,4 @@
-"""The room that pairs of a vertex and an edge are to keep: more than not to touch, where the shapes allow it."""
+"""The room that vertices and edges are to keep: more than not to touch, where the shapes allow it."""
 
 from dataclasses import dataclass
 

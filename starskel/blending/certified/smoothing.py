@@ -17,7 +17,7 @@ DEVIATION = 2e-3
 
 
 def thinned(keys: Chain, size: float, linked: Linked) -> Chain:
-    """Leave out keys that the others do without, all links still good (Ramer 1972, Douglas and Peucker 1973)."""
+    """Leave out keys that are not needed, all links still good (Ramer 1972, Douglas and Peucker 1973)."""
     kept, waiting = [keys[0]], [keys]
     while waiting:
         part = waiting.pop()

@@ -89,8 +89,7 @@ class Pull:
         """Follow (k, n, 2) frames from the first on."""
         frames, arrivals = [wanted[0]], [0]
         for at, goal in enumerate(wanted[1:]):
-            task.reach(at / len(wanted))
-            frames += self._towards(frames[-1], goal, task)
+            frames += self._towards(frames[-1], goal, task.part(at / len(wanted), 1))
             arrivals.append(len(frames) - 1)
         return Track(frames, np.array(arrivals))
 
