@@ -1,5 +1,6 @@
 """Session: the one object that owns what is edited, the tool in hand and the blends."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,14 +13,31 @@ from app.model.marks import Side
 from app.model.selection import Selection, everything
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.draw import DrawTool
+from app.tools.figure import EllipseTool, RectangleTool, RegularPolygonTool, StarTool
+from app.tools.freehand import FreehandTool
 from app.tools.mark import MarkTool
 from app.tools.select import SelectTool
+from app.tools.settings import Settings
+from app.tools.text import TextTool
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
 from starskel import METHODS
 from starskel.blending import COMPARED
 from starskel.files.project import Project, read_project, write_project
 
-TOOLS: dict[str, type[Tool]] = {tool.name: tool for tool in (SelectTool, DrawTool, MarkTool)}
+TOOLS: dict[str, type[Tool]] = {
+    tool.name: tool
+    for tool in (
+        SelectTool,
+        DrawTool,
+        FreehandTool,
+        RectangleTool,
+        EllipseTool,
+        RegularPolygonTool,
+        StarTool,
+        TextTool,
+        MarkTool,
+    )
+}
 
 USUAL_METHODS = COMPARED
 """What is compared until the user chooses: every method."""
@@ -34,6 +52,8 @@ class Session(QObject):
         The selected vertices.
     tool : Tool
         The state of the tool in hand.
+    settings : Settings
+        What the user has set for the tools.
     refusal : Refusal or None
         The last edit that was not possible, until the next one is tried.
     path : Path or None
@@ -47,6 +67,7 @@ class Session(QObject):
     opened = Signal()
     """Another document is edited from now on."""
     tool_changed = Signal()
+    settings_changed = Signal()
     results_changed = Signal()
     progressed = Signal(str, float)
     busy_changed = Signal(bool)
@@ -61,6 +82,7 @@ class Session(QObject):
         self._blends.busy_changed.connect(self.busy_changed)
         self.selection = Selection()
         self.tool: Tool = SelectTool()
+        self.settings = Settings()
         self.refusal: Refusal | None = None
         self.path: Path | None = None
 
@@ -106,6 +128,8 @@ class Session(QObject):
     # events from the canvases
 
     def press(self, pointer: Pointer) -> None:
+        if self.selection.side != pointer.side:
+            self.selection = Selection(pointer.side)  # what is worked on is where the user is at work
         self._answer(self.tool.press(self._scene(), pointer))
 
     def double_press(self, pointer: Pointer) -> None:
@@ -140,6 +164,20 @@ class Session(QObject):
         else:
             self.tool_changed.emit()  # the tool chosen is not the one in hand
 
+    def set(self, settings: Settings) -> None:
+        """Change settings of the tools; what was just made follows them."""
+        if settings == self.settings:
+            return
+        self.settings = settings
+        self.settings_changed.emit()
+        self._answer(self.tool.adjust(self._scene()))
+        self.changed.emit()
+
+    def edit(self, verb: Callable[[Scene], Response]) -> None:
+        """Do what a verb answers, after the gesture under way is finished."""
+        if self.finish():
+            self._answer(verb(self._scene()))
+
     def finish(self) -> bool:
         """End the gesture under way, so that what was drawn is kept; False where that is not possible."""
         if self.tool.busy:
@@ -148,10 +186,8 @@ class Session(QObject):
 
     def cancel(self) -> None:
         """Give up the nearest thing that can be given up: gesture, notice, computation, selection."""
-        if self.tool.busy:
+        if self.tool.busy or self.refusal is not None:
             self._answer(Response(self.tool.cancel()))
-        elif self.refusal is not None:
-            self._answer(Response(self.tool))
         elif self.busy:
             self._blends.cancel()
         else:
@@ -225,7 +261,7 @@ class Session(QObject):
     # how answers and documents come in
 
     def _scene(self) -> Scene:
-        return Scene(self.document, self.selection)
+        return Scene(self.document, self.selection, self.settings)
 
     def _answer(self, response: Response) -> None:
         former = self.tool, self.refusal, self.selection

@@ -75,7 +75,19 @@ class Document:
         InvalidMarks
             If the shape is turned inside out so that marks cross.
         """
-        return self._reshape(side, self.moved(side, vertices, offset), self.marks)
+        return self.place(side, self.moved(side, vertices, offset))
+
+    def place(self, side: Side, ring: Floats) -> "Document":
+        """Move each vertex to the row of its number.
+
+        Raises
+        ------
+        InvalidPolygon
+            If edges would cross or vertices coincide.
+        InvalidMarks
+            If the shape is turned inside out so that marks cross.
+        """
+        return self._reshape(side, ring, self.marks)
 
     def insert(self, side: Side, edge: int, point: Point) -> "Document":
         """Insert a vertex on the edge that starts at vertex `edge`; its index is `edge` + 1.

@@ -14,14 +14,11 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.model.marks import Side
 from app.session import Session
-from app.tools.tool import Key, Pointer
+from app.tools.tool import PICK, Key, Pointer
 from app.view import words
 from app.view.camera import Camera
 from app.view.canvas_painter import CanvasPainter
 from app.view.drawing import painting
-
-PICK = 9.0
-"""Pixels within which a vertex or an edge counts as under the pointer."""
 
 MARGIN = 52.0
 """Pixels left free around a fitted shape: room for pins and caption."""
@@ -139,7 +136,8 @@ class Canvas(QWidget):
             self._show_cursor()
         elif name is not None:
             far = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
-            self._session.key(Key(name, (10 if far else 1) / self.camera.scale))
+            alt = bool(event.modifiers() & Qt.KeyboardModifier.AltModifier)
+            self._session.key(Key(name, (10 if far else 1) / self.camera.scale, far, alt))
         else:
             super().keyPressEvent(event)
 
@@ -164,8 +162,9 @@ class Canvas(QWidget):
     def _pointer(self, event: QMouseEvent) -> Pointer:
         place = event.position()
         shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        free = bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier)
         at = self.camera.to_document(place.x(), place.y())
-        return Pointer(self.side, at, PICK / self.camera.scale, shift)
+        return Pointer(self.side, at, PICK / self.camera.scale, shift, free)
 
     @Slot()
     def _show_cursor(self) -> None:

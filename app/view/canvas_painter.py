@@ -10,6 +10,7 @@ from app.session import Session
 from app.tools.tool import Overlay
 from app.view import words
 from app.view.camera import Camera
+from app.view.canvas_gesture import GesturePainter, square
 from app.view.canvas_notes import paint_caption, paint_invitation, paint_notice
 from app.view.drawing import faded, pen, point_of, polygon_of
 from app.view.pins import Pin, cross_at, outward, paint_pins
@@ -45,8 +46,7 @@ class CanvasPainter:
         self._paint_vertices()
         self._paint_pins()
         self._paint_selection()
-        self._paint_path()
-        self._paint_box()
+        GesturePainter(self._painter, self._theme, self._camera, self._colour).paint(self._overlay)
         self._paint_words()
         self._paint_refusal()
 
@@ -58,21 +58,27 @@ class CanvasPainter:
     def _paint_shape(self) -> None:
         if not len(self._screen):
             return
-        replaced = bool(self._overlay.path)  # the shape that closing the path would replace
+        replaced = self._is_replaced()
         width = 1.0 if self._crowded() else 1.5  # wider, 2,000 smooth edges take a hundred times as long
         self._painter.setPen(pen(faded(self._colour, 0.35 if replaced else 1.0), width))
         self._painter.setBrush(faded(self._colour, 0.07 if replaced else 0.22))
         self._painter.drawPolygon(polygon_of(self._screen), Qt.FillRule.WindingFill)
 
     def _paint_vertices(self) -> None:
-        if self._overlay.path or self._crowded():
+        if not len(self._screen) or self._is_replaced() or self._crowded():
             return
         self._painter.setPen(pen(self._colour, 1.5))
         self._painter.setBrush(QColor(self._theme.base))
         low, high = (-3.0, -3.0), (self._camera.width + 3, self._camera.height + 3)
         shown = ((self._screen >= low) & (self._screen <= high)).all(axis=1)
         for place in self._screen[shown]:
-            self._painter.drawRect(_square(place, 2.5))
+            self._painter.drawRect(square(place, 2.5))
+        self._painter.setBrush(self._colour)  # filled: where the vertices begin to count
+        self._painter.drawRect(square(self._screen[0], 2.5))
+
+    def _is_replaced(self) -> bool:
+        """Tell whether the gesture would put another shape in the place of this one."""
+        return bool(self._overlay.path) or self._overlay.figure is not None
 
     def _crowded(self) -> bool:
         if len(self._screen) < 40:
@@ -85,7 +91,7 @@ class CanvasPainter:
         self._painter.setPen(pen(self._theme.base, 1.0))
         self._painter.setBrush(QColor(self._theme.accent))
         for vertex in self._session.selection.on(self._side):
-            self._painter.drawRect(_square(self._screen[vertex], 4.5))
+            self._painter.drawRect(square(self._screen[vertex], 4.5))
         self._painter.setBrush(Qt.BrushStyle.NoBrush)
         self._painter.setPen(pen(self._theme.accent, 2.0))
         if self._overlay.vertex is not None:
@@ -110,41 +116,6 @@ class CanvasPainter:
         """Give the direction out of the shape on the screen, where y runs down."""
         direction: Floats = outward(self._ring, vertex) * (1, -1)
         return direction
-
-    # the gesture
-
-    def _paint_path(self) -> None:
-        path = self._overlay.path
-        if not path:
-            return
-        screen = self._camera.to_screen(np.array(path))
-        self._painter.setPen(Qt.PenStyle.NoPen)
-        self._painter.setBrush(faded(self._colour, 0.15))
-        self._painter.drawPolygon(polygon_of(screen))
-        self._painter.setPen(pen(self._colour, 2.0))
-        self._painter.drawPolyline(polygon_of(screen[:-1]))
-        self._painter.setPen(pen(self._colour, 1.5, Qt.PenStyle.DashLine))
-        self._painter.drawLine(point_of(screen[-2]), point_of(screen[-1]))
-        self._painter.setPen(pen(self._colour, 1.5))
-        self._painter.setBrush(QColor(self._theme.base))
-        for place in screen[1:-1]:
-            self._painter.drawRect(_square(place, 3.0))
-        self._paint_first_vertex(screen)
-
-    def _paint_first_vertex(self, screen: Floats) -> None:
-        """Show the vertex that closes the path: larger, filled when the pointer is on it."""
-        closing = self._theme.accent if self._overlay.closes else self._colour
-        self._painter.setPen(pen(closing, 2.0))
-        self._painter.setBrush(QColor(self._theme.accent if self._overlay.closes else self._theme.base))
-        self._painter.drawEllipse(point_of(screen[0]), 6.0, 6.0)
-
-    def _paint_box(self) -> None:
-        if self._overlay.box is None:
-            return
-        first, second = (point_of(corner) for corner in self._camera.to_screen(np.array(self._overlay.box)))
-        self._painter.setPen(pen(self._theme.accent, 1.0, Qt.PenStyle.DashLine))
-        self._painter.setBrush(faded(self._theme.accent, 0.1))
-        self._painter.drawRect(QRectF(first, second).normalized())
 
     # what was refused
 
@@ -186,10 +157,7 @@ class CanvasPainter:
 
     def _paint_words(self) -> None:
         paint_caption(self._painter, self._theme, self._side, len(self._ring))
-        if not len(self._screen) and not self._overlay.path:
+        begun = self._is_replaced() or self._overlay.trail is not None
+        if not len(self._screen) and not begun:
             drawing = self._session.tool.name == "draw"
             paint_invitation(self._painter, self._theme, self._frame(), self._side, drawing)
-
-
-def _square(place: Floats, half: float) -> QRectF:
-    return QRectF(place[0] - half, place[1] - half, 2 * half, 2 * half)

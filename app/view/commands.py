@@ -1,37 +1,9 @@
 """The one table of all commands; menus, toolbar and shortcuts are made from it."""
 
-from dataclasses import dataclass
-
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-
-@dataclass(frozen=True)
-class Command:
-    """A row of the table.
-
-    Attributes
-    ----------
-    name : str
-        What the code calls it.
-    text : str
-        What the menu calls it.
-    tip : str
-        One line about what it does.
-    keys : tuple of str
-        Shortcuts in portable form.
-    group : str
-        Commands of one group exclude each other: one of them is checked.
-    checkable : bool
-        Whether it is a switch.
-    """
-
-    name: str
-    text: object
-    tip: object
-    keys: tuple[str, ...] = ()
-    group: str = ""
-    checkable: bool = False
-
+from app.view import drawing_commands
+from app.view.command import Command
 
 COMMANDS = (
     Command(
@@ -100,22 +72,8 @@ COMMANDS = (
         QT_TRANSLATE_NOOP("Command", "Give up the gesture or the computation under way"),
         ("Esc",),
     ),
-    Command(
-        "select",
-        QT_TRANSLATE_NOOP("Command", "&Select"),
-        QT_TRANSLATE_NOOP("Command", "Select, move, insert and delete vertices"),
-        ("S",),
-        "tool",
-        True,
-    ),
-    Command(
-        "draw",
-        QT_TRANSLATE_NOOP("Command", "&Draw"),
-        QT_TRANSLATE_NOOP("Command", "Draw a shape vertex by vertex"),
-        ("D",),
-        "tool",
-        True,
-    ),
+    *drawing_commands.TOOLS,
+    *drawing_commands.SNAPPING,
     Command(
         "mark",
         QT_TRANSLATE_NOOP("Command", "&Mark"),
@@ -197,13 +155,19 @@ COMMANDS = (
     ),
 )
 
+PALETTE = (*(tool.name for tool in drawing_commands.TOOLS), "mark")
+"""The tools, in the order of the bar at the left."""
+
 MENUS = (
     (
         QT_TRANSLATE_NOOP("Command", "&File"),
         ("new", "open", "examples", "", "save", "save-as", "", "export", "", "quit"),
     ),
     (QT_TRANSLATE_NOOP("Command", "&Edit"), ("undo", "redo", "", "select-all", "delete", "", "cancel")),
-    (QT_TRANSLATE_NOOP("Command", "&Tools"), ("select", "draw", "mark")),
+    (
+        QT_TRANSLATE_NOOP("Command", "&Tools"),
+        (*PALETTE, "", *(each.name for each in drawing_commands.SNAPPING)),
+    ),
     (QT_TRANSLATE_NOOP("Command", "&Blend"), ("play", "to-start", "to-end", "", "methods", "", "recompute")),
     (
         QT_TRANSLATE_NOOP("Command", "&View"),
@@ -213,6 +177,6 @@ MENUS = (
 """Menus in order; an empty name is a separator, and names that are no commands are submenus."""
 
 TOOLBAR = (
-    *("new", "open", "save", "", "select", "draw", "mark", "", "undo", "redo", ""),
+    *("new", "open", "save", "", "undo", "redo", ""),
     *("fit", "pieces", "skeleton", "", "export"),
 )

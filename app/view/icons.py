@@ -1,5 +1,7 @@
 """Icons drawn as strokes in the colour of the writing: they follow the theme and stay sharp."""
 
+from math import cos, pi, sin
+
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter, QPainterPath, QPalette, QPen, QPixmap, QPolygonF
 
@@ -27,6 +29,33 @@ _LINES: dict[str, tuple[tuple[tuple[float, float], ...], ...]] = {
     ),
     "select": (((6, 3), (6, 18), (10, 14.2), (13, 21), (15.6, 19.8), (12.7, 13.2), (18, 13), (6, 3)),),
     "draw": (((4, 17), (8, 5), (19, 8), (16, 19), (4, 17)),),
+    "freehand": (
+        (
+            *((4, 14), (4.6, 9), (7, 5.5), (10, 4.6), (13, 6), (15.5, 8.4), (18.5, 9), (20.4, 11.5)),
+            *((19.6, 15.6), (16, 18.4), (11.5, 19.4), (7, 18.4), (4, 14)),
+        ),
+    ),
+    "rectangle": (((4, 6), (20, 6), (20, 18), (4, 18), (4, 6)),),
+    "ellipse": (tuple((12 + 9 * cos(k * pi / 16), 12 + 6.5 * sin(k * pi / 16)) for k in range(33)),),
+    "regular-polygon": (tuple((12 + 9 * sin(k * pi / 3), 12 - 9 * cos(k * pi / 3)) for k in range(7)),),
+    "star": (
+        tuple(
+            (12 + (4.2 if k % 2 else 9.5) * sin(k * pi / 5), 12.6 - (4.2 if k % 2 else 9.5) * cos(k * pi / 5))
+            for k in range(11)
+        ),
+    ),
+    "text": (((5, 7), (5, 4), (19, 4), (19, 7)), ((12, 4), (12, 20)), ((9, 20), (15, 20))),
+    "snap-vertices": (
+        ((4, 20), (12, 8), (20, 20)),
+        ((8.5, 4.5), (15.5, 4.5), (15.5, 11.5), (8.5, 11.5), (8.5, 4.5)),
+    ),
+    "snap-edges": (((3, 19), (21, 7)), ((10, 5), (10, 11)), ((7.5, 8.6), (10, 11.4), (12.5, 8.6))),
+    "snap-angles": (
+        ((4, 19), (20, 19)),
+        ((4, 19), (17, 6)),
+        tuple((4 + 11 * cos(k * pi / 24), 19 - 11 * sin(k * pi / 24)) for k in range(7)),
+    ),
+    "snap-grid": tuple(line for k in (4, 9.33, 14.67, 20) for line in (((k, 4), (k, 20)), ((4, k), (20, k)))),
     "mark": (
         ((7, 20), (7, 12)),
         ((17, 20), (17, 12)),

@@ -12,10 +12,12 @@ from app.tools.tool import Key
 from app.view import words
 from app.view.actions import Actions
 from app.view.canvas import NOTCH, Canvas
+from app.view.commands import PALETTE
 from app.view.display import Display
 from app.view.files import Files
 from app.view.icons import icon
-from app.view.menus import examples_menu, fill_menu_bar, methods_menu, tool_bar
+from app.view.menus import examples_menu, fill_menu_bar, methods_menu, tool_bar, tool_palette
+from app.view.options import SWITCHES, OptionsBar
 from app.view.panels import Panels
 from app.view.player import Player
 from app.view.status import Status
@@ -41,9 +43,14 @@ class MainWindow(QMainWindow):
         submenus = {"examples": self._examples, "methods": self._methods}
         fill_menu_bar(self.menuBar(), self.actions_table, submenus)
         self.addToolBar(tool_bar(self.actions_table))
+        self.addToolBarBreak()
+        self.options = OptionsBar(session, self.actions_table)
+        self.addToolBar(self.options)
+        self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, tool_palette(self.actions_table))
         self.setCentralWidget(self._body())
         self.setStatusBar(Status(session, self.actions_table))
         self.resize(QSize(1280, 860).boundedTo(self.screen().availableSize()))
+        self.canvases["source"].setFocus()
         self._examples.triggered.connect(self._open_example)
         self._methods.triggered.connect(self._compare)
         session.document_changed.connect(self._follow)
@@ -89,9 +96,8 @@ class MainWindow(QMainWindow):
             "select-all": self._select_all,
             "delete": self._delete,
             "cancel": session.cancel,
-            "select": self._choose_tool,
-            "draw": self._choose_tool,
-            "mark": self._choose_tool,
+            **dict.fromkeys(PALETTE, self._choose_tool),
+            **dict.fromkeys(SWITCHES, self._switch_snapping),
             "fit": self._fit,
             "zoom-in": self._zoom_in,
             "zoom-out": self._zoom_out,
@@ -108,6 +114,10 @@ class MainWindow(QMainWindow):
     @Slot()
     def _choose_tool(self) -> None:
         self.session.choose_tool(self.sender().objectName())
+
+    @Slot()
+    def _switch_snapping(self) -> None:
+        self.options.switch()
 
     @Slot()
     def _select_all(self) -> None:

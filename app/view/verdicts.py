@@ -4,7 +4,7 @@ import numpy as np
 from PySide6.QtCore import QCoreApplication
 
 from starskel.quality import Report
-from starskel.sheet.words import percent, spans
+from starskel.sheet.words import crossing_words, percent, spans
 
 translate = QCoreApplication.translate
 
@@ -15,6 +15,8 @@ def summary(report: Report) -> str:
     if report.simple:
         return translate("Verdict", "simple, area {area}").format(area=area)
     first = f"{report.crossing_times[0]:.2f}".removeprefix("0")
+    if report.natural:
+        return translate("Verdict", "natural crossing at {t}, area {area}").format(t=first, area=area)
     return translate("Verdict", "crosses at t = {t}, area {area}").format(t=first, area=area)
 
 
@@ -22,11 +24,7 @@ def details(report: Report) -> str:
     """Give all figures, a line each."""
     times = report.times.tolist()
     lines = [
-        translate("Verdict", "No frame crosses itself.")
-        if report.simple
-        else translate("Verdict", "Frames cross themselves at t = {times}.").format(
-            times=spans(times, report.crossing_frames)
-        ),
+        *_crossings(report),
         translate("Verdict", "Area drifts by up to {p}.").format(p=percent(report.area_deviation)),
         translate("Verdict", "Edge lengths drift by {p} on average.").format(
             p=percent(report.length_deviation)
@@ -43,13 +41,28 @@ def details(report: Report) -> str:
     return "\n".join(lines)
 
 
+def _crossings(report: Report) -> list[str]:
+    if report.simple:
+        if report.proven:
+            return [translate("Verdict", "Never crosses itself: proven for every t.")]
+        return [translate("Verdict", "No frame crosses itself.")]
+    lines = [translate("Verdict", "Crosses itself at t = {times}.").format(times=crossing_words(report))]
+    if report.natural:
+        lines.append(translate("Verdict", "That is natural: the shape lies over itself in layers."))
+    elif report.natural_frames:
+        text = translate("Verdict", "Natural in {n} of {all} frames: the shape lies over itself in layers.")
+        lines.append(text.format(n=len(report.natural_frames), all=len(report.crossing_frames)))
+    return lines
+
+
 def crosses_at(report: Report, t: float) -> bool:
     """Tell whether the frame that was measured nearest to t crosses itself."""
-    return bool(report.crossings[round(t * (len(report.times) - 1))])
+    return bool(report.crosses[round(t * (len(report.times) - 1))])
 
 
 def crossing_spans(report: Report) -> list[tuple[float, float]]:
     """Give the stretches of t from the first to the last crossing frame in a row."""
-    edges = np.diff(np.concatenate([[0], report.crossings.astype(np.int8), [0]]))
+    edges = np.diff(np.concatenate([[0], report.crosses.astype(np.int8), [0]]))
     starts, stops = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1) - 1
-    return [(float(report.times[a]), float(report.times[b])) for a, b in zip(starts, stops, strict=True)]
+    spans = [(float(report.times[a]), float(report.times[b])) for a, b in zip(starts, stops, strict=True)]
+    return spans or [(t, t) for t in report.crossing_times]

@@ -31,6 +31,17 @@ def hint(text: str) -> str:
     return translate("Hint", text)
 
 
+def catch(kind: str, angle: int) -> str:
+    """Give the word for what catches the pointer."""
+    return {
+        "vertex": translate("Catch", "vertex"),
+        "aligned": translate("Catch", "level with a vertex"),
+        "edge": translate("Catch", "edge"),
+        "angle": translate("Catch", "{angle}°").format(angle=angle),
+        "grid": translate("Catch", "grid"),
+    }[kind]
+
+
 def method(name: str) -> str:
     """Give the name of a blending method."""
     return translate("Method", name)

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from starskel.outline import signed_areas
 from starskel.points import Indices, Points, points_of
-from starskel.polygon import signed_area
 from starskel.predicates import ROUNDING, Floats
 from starskel.visibility import Relation
 
@@ -78,7 +78,7 @@ def _cut(cell: Floats, side: Floats) -> Floats:
 
 
 def _centroid(cell: Floats) -> Floats:
-    area = signed_area(cell)
+    area = signed_areas(cell)
     if not area > 0:
         return np.asarray(cell.mean(axis=0))
     base = cell[0]

@@ -10,7 +10,8 @@ import numpy as np
 
 from starskel.decomposition.minimal import Piece
 from starskel.decomposition.tiling import Tiling
-from starskel.polygon import crossing_edges, signed_area
+from starskel.outline import signed_areas
+from starskel.polygon import crossing_edges
 from starskel.task import Task
 
 
@@ -76,7 +77,7 @@ class _Reduction:
         if piece not in self._pieces:
             rings = [side.coordinates[list(piece)] for side in (self._tiling.source, self._tiling.target)]
             self._pieces[piece] = (
-                all(signed_area(ring) > 0 for ring in rings)
+                all(signed_areas(ring) > 0 for ring in rings)
                 and not self._tiling.is_flat(piece)
                 and self._is_star(piece)
                 and not any(len(crossing_edges(ring)) for ring in rings)  # last, as it takes longest

@@ -8,16 +8,39 @@ from starskel.quality import Report
 def verdict(report: Report) -> str:
     """Say whether the blend is simple, or when it crosses itself."""
     if report.simple:
-        return "simple"
-    return "crosses at t = " + spans(report.times.tolist(), report.crossing_frames)
+        return "simple, proven" if report.proven else "simple"
+    if report.natural:
+        return f"natural crossing at t = {crossing_words(report)}"
+    return f"crosses at t = {crossing_words(report)}{_naturally(len(report.natural_frames))}"
+
+
+def _naturally(count: int) -> str:
+    return f", natural in {count} frame{'s' if count > 1 else ''}" if count else ""
+
+
+def crossing_words(report: Report) -> str:
+    """Say when the blend crosses itself."""
+    if report.crossing_frames:
+        return spans(report.times.tolist(), report.crossing_frames)
+    return ", ".join(f"{t:.4g}" for t in report.crossing_times)
+
+
+def crossing_counts(report: Report) -> str:
+    """Say in how many frames the blend crosses itself, naturally and otherwise, or that it never does."""
+    if report.simple or not report.crossing_frames:
+        return verdict(report)
+    kinds = ("natural", report.natural_frames), ("harmful", report.harmful_frames)
+    return " ".join(f"{len(frames)} {kind}" for kind, frames in kinds if frames)
 
 
 def figures(report: Report) -> tuple[str, ...]:
-    """Say how far area and lengths drift, and where some edge has a negative length, a line each."""
+    """Say how far the blend drifts, and where some edge has a negative length, a line each."""
     lines = [
         f"area drift {percent(report.area_deviation)}",
         f"length drift {percent(report.length_deviation)}",
     ]
+    if report.inside is not None:
+        lines.append(f"inside stretched {percent(report.inside.stretch - 1)}")
     if report.negative_lengths:
         times = spans(report.times.tolist(), report.negative_lengths)
         lines.append(f"negative lengths at t = {times}")

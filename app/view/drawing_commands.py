@@ -1,0 +1,107 @@
+"""The part of the table of commands that is about drawing: tools, what is done to shapes, snapping."""
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+from app.view.command import Command
+
+TOOLS = (
+    Command(
+        "select",
+        QT_TRANSLATE_NOOP("Command", "&Select"),
+        QT_TRANSLATE_NOOP("Command", "Select, move, scale, turn, insert and delete vertices"),
+        ("S",),
+        "tool",
+        True,
+    ),
+    Command(
+        "draw",
+        QT_TRANSLATE_NOOP("Command", "&Draw"),
+        QT_TRANSLATE_NOOP("Command", "Draw a shape vertex by vertex"),
+        ("D",),
+        "tool",
+        True,
+    ),
+    Command(
+        "freehand",
+        QT_TRANSLATE_NOOP("Command", "&Freehand"),
+        QT_TRANSLATE_NOOP("Command", "Draw a shape by hand"),
+        ("H",),
+        "tool",
+        True,
+    ),
+    Command(
+        "rectangle",
+        QT_TRANSLATE_NOOP("Command", "&Rectangle"),
+        QT_TRANSLATE_NOOP("Command", "Draw a rectangle"),
+        ("R",),
+        "tool",
+        True,
+    ),
+    Command(
+        "ellipse",
+        QT_TRANSLATE_NOOP("Command", "&Ellipse"),
+        QT_TRANSLATE_NOOP("Command", "Draw an ellipse"),
+        ("E",),
+        "tool",
+        True,
+    ),
+    Command(
+        "regular-polygon",
+        QT_TRANSLATE_NOOP("Command", "Regular &Polygon"),
+        QT_TRANSLATE_NOOP("Command", "Draw a regular polygon"),
+        ("G",),
+        "tool",
+        True,
+    ),
+    Command(
+        "star",
+        QT_TRANSLATE_NOOP("Command", "S&tar"),
+        QT_TRANSLATE_NOOP("Command", "Draw a star"),
+        ("Shift+G",),
+        "tool",
+        True,
+    ),
+    Command(
+        "text",
+        QT_TRANSLATE_NOOP("Command", "Te&xt"),
+        QT_TRANSLATE_NOOP("Command", "Set a letter or a text in outlines"),
+        ("T",),
+        "tool",
+        True,
+    ),
+)
+
+SNAPPING = (
+    Command(
+        "snap-vertices",
+        QT_TRANSLATE_NOOP("Command", "Snap to &Vertices"),
+        QT_TRANSLATE_NOOP("Command", "Let vertices catch the pointer, and their heights and sides"),
+        ("Ctrl+Alt+V",),
+        "",
+        True,
+    ),
+    Command(
+        "snap-edges",
+        QT_TRANSLATE_NOOP("Command", "Snap to &Edges"),
+        QT_TRANSLATE_NOOP("Command", "Let edges catch the pointer, and the lines that lengthen them"),
+        ("Ctrl+Alt+E",),
+        "",
+        True,
+    ),
+    Command(
+        "snap-angles",
+        QT_TRANSLATE_NOOP("Command", "Snap to &15°"),
+        QT_TRANSLATE_NOOP("Command", "Let edges catch at multiples of 15°"),
+        ("Ctrl+Alt+A",),
+        "",
+        True,
+    ),
+    Command(
+        "snap-grid",
+        QT_TRANSLATE_NOOP("Command", "Snap to &Grid"),
+        QT_TRANSLATE_NOOP("Command", "Show a grid and go from point to point of it"),
+        ("Ctrl+Alt+G",),
+        "",
+        True,
+    ),
+)
