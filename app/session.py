@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from app.compute import Blends, MethodState, Result, Subject
+from app.compute import UNHURRIED, Blends, MethodState, Result, Subject
 from app.model.document import Document
 from app.model.history import History
 from app.model.marks import Side
@@ -39,8 +39,8 @@ TOOLS: dict[str, type[Tool]] = {
     )
 }
 
-USUAL_METHODS = COMPARED
-"""What is compared until the user chooses: every method."""
+USUAL_METHODS = tuple(method for method in COMPARED if method not in UNHURRIED)
+"""What is compared until the user chooses: every method that is quick."""
 
 
 class Session(QObject):

@@ -89,7 +89,7 @@ def _least_at_times(corners: Complex) -> Floats:
     """Give the least of the distances before, after and half-way between."""
     before, after = corners[:2], corners[2:]
     edges = before, (before + after) / 2, after
-    return np.minimum.reduce([np.abs(_nearest(*edge)) for edge in edges])
+    return np.asarray(np.minimum.reduce([np.abs(_nearest(*edge)) for edge in edges]))
 
 
 def _halves(corners: Complex) -> Complex:

@@ -1,7 +1,7 @@
 """Blends computed beside the window: frozen requests, one worker thread, the newest request wins."""
 
-from app.compute.blends import Blends
+from app.compute.blends import UNHURRIED, Blends
 from app.compute.computer import Computer
 from app.compute.request import Failure, MethodState, Request, Result, Subject
 
-__all__ = ["Blends", "Computer", "Failure", "MethodState", "Request", "Result", "Subject"]
+__all__ = ["UNHURRIED", "Blends", "Computer", "Failure", "MethodState", "Request", "Result", "Subject"]

@@ -11,8 +11,7 @@ from starskel.blending.frames import Blend
 from starskel.blending.stitched import StitchedBlend
 from starskel.clearance import clearance
 from starskel.decomposition.pieces import Decomposition
-from starskel.outline import edge_lengths, precedes
-from starskel.polygon import signed_area
+from starskel.outline import edge_lengths, precedes, signed_areas
 from starskel.predicates import Floats
 from starskel.task import Task
 
@@ -38,17 +37,18 @@ class CertifiedBlend(Blend):
     ----------
     how : Way
         Whether these are frames of the stitched blend, or what was done to them.
-    times : (k,) array
+    key_times : (k,) array
         When the keyframes are, from 0 to 1.
     keys : (k, n, 2) array
         The keyframes; the first is the source and the last the target, to the bit.
     """
 
+    key_times: Floats
+
     def __init__(
         self, decomposition: Decomposition, root: int | None = None, task: Task | None = None
     ) -> None:
         super().__init__(decomposition.pair)
-        self.decomposition = decomposition
         watched = task or Task()
         stitched = StitchedBlend(decomposition, root, watched.part(0, 0.4))
         watched = watched.part(0.4, 1)
@@ -58,11 +58,11 @@ class CertifiedBlend(Blend):
                 decomposition, pair=pair, source=decomposition.target, target=decomposition.source
             )
             keys, self.how = path(exchanged, lambda ts: stitched.frames(1 - ts), watched)
-            self.times = 1 - np.array([key.t for key in keys[::-1]])
+            self.key_times = 1 - np.array([key.t for key in keys[::-1]])
             self.keys = np.stack([key.frame for key in keys[::-1]])
         else:
             keys, self.how = path(decomposition, stitched.frames, watched)
-            self.times = np.array([key.t for key in keys])
+            self.key_times = np.array([key.t for key in keys])
             self.keys = np.stack([key.frame for key in keys])
 
     @cached_property
@@ -74,13 +74,13 @@ class CertifiedBlend(Blend):
         return clearance(self.keys)
 
     def _frames(self, ts: Floats) -> Floats:
-        return between(self.times, self.keys, ts)
+        return between(self.key_times, self.keys, ts)
 
 
 def _comes_second(source: Floats, target: Floats) -> bool:
     """Tell whether the target comes first, in an order that moving, turning and scaling do not change."""
-    for measure in (signed_area, lambda ring: float(edge_lengths(ring).sum())):
-        first, second = measure(source), measure(target)
+    for measure in (signed_areas, lambda ring: edge_lengths(ring).sum()):
+        first, second = float(measure(source)), float(measure(target))
         if abs(first - second) > _EQUAL * max(first, second):
             return first > second
     return precedes(target, source)

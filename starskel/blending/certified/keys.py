@@ -16,8 +16,11 @@ Guide = Callable[[Floats], Floats]
 Linked = Callable[[Floats, Floats], bool]
 """Tells whether the even motion from one frame to another is good enough."""
 
-LINKS = 32
-"""The least number of links."""
+LINKS = (32, 64, 128)
+"""Numbers of links that are tried in turn, until the motion between the frames is even enough."""
+
+EVEN = 2e-4
+"""Frames half-way between keys differ by less from the guide's, at every vertex, as a part of the size."""
 
 BISECTIONS = 6
 """How often a link that is not safe is halved before it counts as a gap."""
@@ -40,8 +43,8 @@ def chains_of(source: Floats, target: Floats, guide: Guide, linked: Linked, task
 
     The first chain begins with the source and the last ends with the target, to the bit.
     """
-    times = np.linspace(0, 1, LINKS + 1)
-    frames = [source, *guide(times[1:-1]), target]
+    times, wanted = _even(guide)
+    frames = [source, *wanted[1:-1], target]
     keys = [Key(float(t), frame) for t, frame in zip(times, frames, strict=True)]
     simple = ~cross_themselves(np.stack(frames))
     simple[[0, -1]] = True  # polygons are simple, whatever rounding makes of vertices inserted on their edges
@@ -52,6 +55,22 @@ def chains_of(source: Floats, target: Floats, guide: Guide, linked: Linked, task
         pieces = [[keys[before]], [keys[after]]]
         _append(chains, pieces if through else _linked(keys[before], keys[after], guide, linked, BISECTIONS))
     return chains
+
+
+def _even(guide: Guide) -> tuple[Floats, Floats]:
+    """Give times so dense that a guide's frames move evenly between them, all but; and these frames."""
+    for links in LINKS:
+        times = np.linspace(0, 1, 2 * links + 1)
+        frames = guide(times)
+        off = farthest((frames[:-1:2] + frames[2::2]) / 2 - frames[1::2])
+        if off < EVEN * 2 * farthest(frames[0] - frames[0].mean(axis=0)):
+            break
+    return times[::2], frames[::2]
+
+
+def farthest(vectors: Floats) -> float:
+    """Give the length of the longest of (..., 2) vectors."""
+    return float(np.hypot(vectors[..., 0], vectors[..., 1]).max())
 
 
 def _append(chains: list[Chain], found: list[Chain]) -> None:

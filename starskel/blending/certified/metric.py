@@ -7,6 +7,7 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
+from starskel.blending.certified.keys import farthest
 from starskel.blending.fans import fans_of
 from starskel.certificate import Indices
 from starskel.decomposition.pieces import Decomposition
@@ -37,7 +38,7 @@ class Metric:
     inner : callable, optional
         Solves the inner points' part; None where there are no inner points.
     size : float
-        The shapes' extent.
+        The shapes' extent, twice the largest distance from the mean of the vertices.
     """
 
     matrix: sparse.csc_array
@@ -59,7 +60,8 @@ def metric_of(decomposition: Decomposition, task: Task) -> Metric:
     """Weigh the edges of the fans of all pieces by 1 / length^2: what counts is strain."""
     fans = fans_of(decomposition, task)
     n, m = len(decomposition.pair), len(fans.source)
-    size = float(max(np.ptp(side, axis=0).max() for side in (fans.source, fans.target)))
+    rings = decomposition.pair.source, decomposition.pair.target
+    size = 2 * max(farthest(ring - ring.mean(axis=0)) for ring in rings)
     ends = np.sort(fans.triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
     i, j = np.unique(ends, axis=0).T
     lengths = sum(np.abs(z[i] - z[j]) for z in (as_complex(fans.source), as_complex(fans.target))) / 2

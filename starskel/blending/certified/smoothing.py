@@ -6,7 +6,7 @@ nothing is lost of the wanted motion.
 
 import numpy as np
 
-from starskel.blending.certified.keys import Chain, Guide, Key, Linked
+from starskel.blending.certified.keys import Chain, Guide, Key, Linked, farthest
 from starskel.task import Task
 
 SWEEPS = 6
@@ -36,8 +36,9 @@ def _worst(keys: Chain) -> tuple[int, float]:
     times = np.array([key.t for key in keys])
     shares = ((times - times[0]) / (times[-1] - times[0]))[1:-1, None, None]
     even = (1 - shares) * keys[0].frame + shares * keys[-1].frame
-    deviations = np.abs(np.stack([key.frame for key in keys[1:-1]]) - even).max(axis=(1, 2))
-    return int(deviations.argmax()) + 1, float(deviations.max())
+    deviations = [farthest(key.frame - frame) for key, frame in zip(keys[1:-1], even, strict=True)]
+    worst = int(np.argmax(deviations))
+    return worst + 1, deviations[worst]
 
 
 def smoothed(keys: Chain, guide: Guide, linked: Linked, task: Task) -> Chain:

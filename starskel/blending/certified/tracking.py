@@ -13,7 +13,7 @@ from scipy import sparse
 from scipy.sparse.linalg import splu
 
 from starskel.blending.certified.barrier import Barrier
-from starskel.blending.certified.keys import Linked
+from starskel.blending.certified.keys import Linked, farthest
 from starskel.blending.certified.metric import Metric
 from starskel.certificate import Indices
 from starskel.polar import Complex, as_complex, as_points
@@ -105,7 +105,7 @@ class Pull:
             after = self._taken(now, goal, step, barrier)
             if after is None:
                 return
-            moved = np.abs(after - now).max()
+            moved = farthest(after - now)
             now = after
             yield now
             if moved < SETTLED * self.metric.size:
