@@ -11,7 +11,7 @@ from starskel.errors import StarskelError
 from starskel.outline import cross_themselves, edge_lengths, signed_areas
 from starskel.polygon import crossing_edges, meeting_places
 from starskel.predicates import Floats
-from starskel.quality.drift import angle_deviation, length_deviation, linear, roughness
+from starskel.quality.drift import angle_deviation, length_deviations, linear, roughness
 from starskel.quality.inside import Distortion, Triangles
 from starskel.quality.layers import in_layers
 from starskel.quality.proof import proof
@@ -69,7 +69,7 @@ def measure(
         areas=areas,
         perimeters=edge_lengths(rings).sum(axis=1),
         area_deviations=areas / linear(areas[0], areas[-1], times) - 1,
-        length_deviation=length_deviation(rings, times),
+        length_deviations=length_deviations(rings, times),
         angle_deviation=angle_deviation(rings, times),
         negative_lengths=tuple(np.flatnonzero(blend.negative_lengths(times)).tolist()),
         roughness=_roughness(blend, rings),
