@@ -20,9 +20,9 @@ def summary(report: Report) -> str:
     area = percent(report.area_deviation)
     if report.simple:
         return translate("Verdict", "simple, area {area}").format(area=area)
-    first = f"{report.crossing_times[0]:.2f}".removeprefix("0")
     if report.natural:
-        return translate("Verdict", "natural crossing at {t}, area {area}").format(t=first, area=area)
+        return translate("Verdict", "natural crossing, area {area}").format(area=area)
+    first = f"{report.crossing_times[0]:.2f}".removeprefix("0")
     return translate("Verdict", "crosses at t = {t}, area {area}").format(t=first, area=area)
 
 
