@@ -2,14 +2,15 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Signal, Slot
 
-from app.compute import UNHURRIED, Blends, MethodState, Result, Subject
+from app.compute import UNHURRIED, Blends, MethodState, Result, Subject, Trace, trace_of
 from app.model.document import Document
 from app.model.history import History
-from app.model.marks import Side
+from app.model.marks import SIDES, Marks, Side
 from app.model.selection import Selection, everything
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.draw import DrawTool
@@ -22,6 +23,7 @@ from app.tools.text import TextTool
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
 from starskel import METHODS
 from starskel.blending import COMPARED
+from starskel.errors import InvalidMarks
 from starskel.files.project import Project, read_project, write_project
 
 TOOLS: dict[str, type[Tool]] = {
@@ -38,6 +40,8 @@ TOOLS: dict[str, type[Tool]] = {
         MarkTool,
     )
 }
+
+Pointed = tuple[Side, int]
 
 USUAL_METHODS = tuple(method for method in COMPARED if method not in UNHURRIED)
 """What is compared until the user chooses: every method that is quick."""
@@ -58,6 +62,8 @@ class Session(QObject):
         The last edit that was not possible, until the next one is tried.
     path : Path or None
         The project file, None before it has one.
+    pointed : (side, int) or None
+        The vertex that is pointed at, on a canvas or in the table of marks.
     """
 
     changed = Signal()
@@ -67,6 +73,8 @@ class Session(QObject):
     opened = Signal()
     """Another document is edited from now on."""
     tool_changed = Signal()
+    pointed_changed = Signal()
+    """Another vertex is pointed at, or its partner has moved."""
     settings_changed = Signal()
     results_changed = Signal()
     progressed = Signal(str, float)
@@ -78,6 +86,7 @@ class Session(QObject):
         self._saved = self.document
         self._blends = Blends(self)
         self._blends.changed.connect(self.results_changed)
+        self._blends.suggested.connect(self._take_marks)
         self._blends.progressed.connect(self.progressed)
         self._blends.busy_changed.connect(self.busy_changed)
         self.selection = Selection()
@@ -85,6 +94,7 @@ class Session(QObject):
         self.settings = Settings()
         self.refusal: Refusal | None = None
         self.path: Path | None = None
+        self.pointed: Pointed | None = None
 
     @property
     def document(self) -> Document:
@@ -120,6 +130,14 @@ class Session(QObject):
     def redoes(self) -> str | None:
         """The name of the edit that redo brings again."""
         return self._history.redoes
+
+    @property
+    def trace(self) -> Trace | None:
+        """What is known of the vertex pointed at: its partner, and its row in all blends."""
+        results = self.fresh_results
+        if self.pointed is None or not results:
+            return None
+        return trace_of(results[0].blend.pair, *self.pointed)
 
     def overlay(self, side: Side) -> Overlay:
         """Give what the tool shows on a canvas."""
@@ -207,6 +225,33 @@ class Session(QObject):
     def redo(self) -> None:
         self._travel(self._history.redo())
 
+    def point(self, side: Side, vertex: int | None) -> None:
+        """Point at a vertex, or at none."""
+        pointed = None if vertex is None else (side, vertex)
+        if pointed != self.pointed:
+            self.pointed = pointed
+            self.pointed_changed.emit()
+
+    def mark(self, source: int, target: int) -> bool:
+        """Add a mark; False where that is refused."""
+        return self._remark(
+            QT_TRANSLATE_NOOP("Step", "Set mark"), partial(self.document.mark, source, target)
+        )
+
+    def repin(self, index: int, side: Side, vertex: int) -> bool:
+        """Move one end of a mark; False where that is refused."""
+        moved = partial(self.document.repin, index, side, vertex)
+        return self._remark(QT_TRANSLATE_NOOP("Step", "Move mark"), moved)
+
+    def unmark(self, index: int) -> None:
+        """Remove a mark."""
+        self._remark(QT_TRANSLATE_NOOP("Step", "Remove mark"), partial(self.document.unmark, index))
+
+    def suggest_marks(self, count: int) -> None:
+        """Replace all marks by so many that suggest themselves, as soon as they are found."""
+        if self.finish():
+            self._blends.suggest(count)
+
     def compare(self, methods: tuple[str, ...]) -> None:
         """Choose the methods shown side by side."""
         self._commit(Commit(self.document.compare(methods), QT_TRANSLATE_NOOP("Step", "Choose methods")))
@@ -260,6 +305,22 @@ class Session(QObject):
 
     # how answers and documents come in
 
+    def _remark(self, name: str, verb: Callable[[], Document]) -> bool:
+        if not self.finish():
+            return False
+        try:
+            commit = Commit(verb(), name)
+        except InvalidMarks as error:
+            self._answer(Response(self.tool, refusal=Refusal("source", error, marks=error.marks)))
+            return False
+        self._answer(Response(self.tool, commit))
+        return True
+
+    @Slot(object)
+    def _take_marks(self, marks: Marks) -> None:
+        name = QT_TRANSLATE_NOOP("Step", "Suggest marks")
+        self._commit(Commit(self.document.remark(marks), name))
+
     def _scene(self) -> Scene:
         return Scene(self.document, self.selection, self.settings)
 
@@ -274,8 +335,16 @@ class Session(QObject):
             self._blend(self.document)  # the gesture was given up
         if type(former[0]) is not type(self.tool):
             self.tool_changed.emit()
+        if self.tool != former[0]:
+            self._point_by_tool()
         if (self.tool, self.refusal, self.selection) != former:  # most moves of the pointer change nothing
             self.changed.emit()
+
+    def _point_by_tool(self) -> None:
+        for side in SIDES:
+            if (vertex := self.overlay(side).vertex) is not None:
+                return self.point(side, vertex)
+        return self.point("source", None)
 
     def _commit(self, commit: Commit) -> None:
         if commit.document == self.document:

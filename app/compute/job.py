@@ -9,11 +9,10 @@ import numpy as np
 from app.compute.request import Failure, Request, Result
 from starskel import Blend, Correspondence, Decomposition, blend, match, measure
 from starskel.errors import Cancelled, StarskelError
-from starskel.predicates import Floats
 from starskel.task import ShouldStop
 
-SAMPLES = np.linspace(0, 1, 21)
-"""The moments that count for the box of a blend."""
+SAMPLES = np.linspace(0, 1, 41)
+"""The moments of the frames that a result keeps."""
 
 
 class Job:
@@ -48,7 +47,8 @@ class Job:
             self._report(method, 0.0)
             made = self._blend(method)
             self._report(method, 1.0)
-            return Result(method, made, measure(made, should_stop=self._is_old), _box(made))
+            report = measure(made, should_stop=self._is_old)
+            return Result(method, made, report, made.frames(SAMPLES))
         except Cancelled:
             raise
         except Exception as error:  # whatever it is, the window shows it; the thread lives on
@@ -79,8 +79,3 @@ class Job:
         if percent != self._percent:
             self._percent = percent
             self._say(method, percent / 100)
-
-
-def _box(blended: Blend) -> Floats:
-    points = blended.frames(SAMPLES).reshape(-1, 2)
-    return np.array([points.min(axis=0), points.max(axis=0)])

@@ -146,6 +146,16 @@ class Document:
         replace(self, marks=(*rest, moved))  # checked last, the moved mark is the one that is named
         return replace(self, marks=(*rest[:index], moved, *rest[index:]))
 
+    def remark(self, marks: Marks) -> "Document":
+        """Replace all marks.
+
+        Raises
+        ------
+        InvalidMarks
+            Naming two that conflict.
+        """
+        return replace(self, marks=marks)
+
     def compare(self, methods: tuple[str, ...]) -> "Document":
         """Choose the methods shown side by side."""
         return replace(self, methods=methods)

@@ -34,6 +34,8 @@ class Pointer:
         Whether the shift key is held: it constrains a gesture.
     free : bool
         Whether the control key is held: it suspends snapping.
+    across : Pointer or None
+        Where it is on the other canvas, if it was dragged there from this one.
     """
 
     side: Side
@@ -41,6 +43,7 @@ class Pointer:
     radius: float
     shift: bool = False
     free: bool = False
+    across: "Pointer | None" = None
 
     @property
     def pixel(self) -> float:
@@ -144,6 +147,8 @@ class Overlay:
         Where a double click would insert a vertex.
     pin : (int, int) or None
         A vertex and the number of the mark that would be set there.
+    line : (float, float) or None
+        Where the line ends that leads from the pin to the pointer, if the pointer is on this canvas.
     figure : (n, 2) array or None
         A shape that would replace the stored one.
     trail : (k, 2) array or None
@@ -167,6 +172,7 @@ class Overlay:
     vertex: int | None = None
     insertion: Point | None = None
     pin: tuple[int, int] | None = None
+    line: Point | None = None
     figure: Floats | None = None
     trail: Floats | None = None
     beside: tuple[Floats, ...] = ()

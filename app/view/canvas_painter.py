@@ -12,25 +12,39 @@ from app.view import words
 from app.view.camera import Camera
 from app.view.canvas_gesture import GesturePainter, square
 from app.view.canvas_notes import paint_caption, paint_invitation, paint_notice
+from app.view.display import Layers
 from app.view.drawing import faded, pen, point_of, polygon_of
+from app.view.frame_layers import paint_numbers, paint_way
 from app.view.pins import Pin, cross_at, outward, paint_pins
+from app.view.structure import paint_pieces, paint_skeleton
 from app.view.theme import theme_of
+from starskel.blending.pieces import PieceBlend
 from starskel.predicates import Floats
 
 CROWDED = 7.0
 """Vertices nearer to each other than so many pixels, on average, are not shown one by one."""
 
+DIAMOND = (QPointF(0, -8), QPointF(8, 0), QPointF(0, 8), QPointF(-8, 0))
+
 
 class CanvasPainter:
     """Paints one canvas once."""
 
-    def __init__(
-        self, painter: QPainter, palette: QPalette, camera: Camera, session: Session, side: Side
+    def __init__(  # noqa: PLR0913 -- all that a canvas consists of
+        self,
+        painter: QPainter,
+        palette: QPalette,
+        camera: Camera,
+        *,
+        session: Session,
+        side: Side,
+        layers: Layers,
     ) -> None:
         self._painter = painter
         self._theme = theme_of(palette)
         self._camera = camera
         self._session = session
+        self._layers = layers
         self._side: Side = side
         self._overlay: Overlay = session.overlay(side)
         self._colour = self._theme.side(side)
@@ -43,8 +57,11 @@ class CanvasPainter:
         self._painter.fillRect(self._frame(), QColor(self._theme.base))
         self._painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._paint_shape()
+        self._paint_structure()
         self._paint_vertices()
+        self._paint_numbers()
         self._paint_pins()
+        self._paint_trace()
         self._paint_selection()
         GesturePainter(self._painter, self._theme, self._camera, self._colour).paint(self._overlay)
         self._paint_words()
@@ -63,6 +80,26 @@ class CanvasPainter:
         self._painter.setPen(pen(faded(self._colour, 0.35 if replaced else 1.0), width))
         self._painter.setBrush(faded(self._colour, 0.07 if replaced else 0.22))
         self._painter.drawPolygon(polygon_of(self._screen), Qt.FillRule.WindingFill)
+
+    def _paint_structure(self) -> None:
+        """Show how the shape is cut, where that is known of the shape as it is now."""
+        cut = next((r.blend for r in self._session.fresh_results if isinstance(r.blend, PieceBlend)), None)
+        if cut is None or self._overlay.ring is not None or self._overlay.path:
+            return
+        dec = cut.decomposition
+        rows, origins = (dec.source, dec.source_origins)
+        if self._side == "target":
+            rows, origins = (dec.target, dec.target_origins)
+        if self._layers.pieces:
+            paint_pieces(self._painter, self._theme, dec, self._camera.to_screen(rows))
+        if self._layers.skeleton:
+            places = self._camera.to_screen(cut.skeleton.points(rows, origins))
+            paint_skeleton(self._painter, self._theme, cut.skeleton, places)
+
+    def _paint_numbers(self) -> None:
+        if self._layers.numbers:
+            numbers = [str(number) for number in range(len(self._screen))]
+            paint_numbers(self._painter, self._theme, self._screen, numbers)
 
     def _paint_vertices(self) -> None:
         if not len(self._screen) or self._is_replaced() or self._crowded():
@@ -117,16 +154,32 @@ class CanvasPainter:
         direction: Floats = outward(self._ring, vertex) * (1, -1)
         return direction
 
+    def _paint_trace(self) -> None:
+        """Show the partner of the vertex pointed at, and the way from the one to the other."""
+        trace, pointed = self._session.trace, self._session.pointed
+        if trace is None or pointed is None:
+            return
+        way = self._session.fresh_results[0].samples[:, trace.row]
+        paint_way(self._painter, self._theme, self._camera.to_screen(way))
+        self._painter.setPen(pen(self._theme.accent, 2.5))
+        self._painter.setBrush(QColor(self._theme.base))
+        place = point_of(self._camera.to_screen(np.array(trace.place(self._side))))
+        if trace.vertex(self._side) is None:  # it has no vertex here: the correspondence inserts one
+            self._painter.drawPolygon([place + step for step in DIAMOND])
+        else:
+            self._painter.drawEllipse(place, 7.5, 7.5)
+
     # what was refused
 
     def _paint_refusal(self) -> None:
         refusal = self._session.refusal
         if refusal is None:
             return
-        vertices = [end(mark, self._side) for mark in refusal.marks]
+        ends = {end(mark, self._side) for mark in refusal.marks}
+        vertices = sorted(vertex for vertex in ends if vertex < len(self._screen))
         for vertex in vertices:
             self._paint_refused_pin(vertex)
-        if refusal.side != self._side:
+        if refusal.side != self._side and not refusal.marks:
             return
         red = QColor(self._theme.refused)
         self._painter.setPen(pen(red, 3.0))

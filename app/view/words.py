@@ -3,7 +3,7 @@
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
 from app.model.document import Document
-from app.model.marks import Side
+from app.model.marks import Side, witness
 from starskel.correspondence.marks import Mark
 from starskel.errors import InvalidMarks, InvalidPolygon, StarskelError
 
@@ -82,11 +82,22 @@ def _marks_reason(first: Mark, second: Mark, document: Document) -> str:
             "Refusal", "This vertex already has {first}. Remove that pin first, or take another vertex."
         )
     else:
-        text = translate(
+        text = _order_reason(witness(document.marks, first, second), document)
+    return _capitalised(text.format(first=_named(first, document), second=_named(second, document)))
+
+
+def _order_reason(third: Mark | None, document: Document) -> str:
+    if third is None:
+        return translate(
             "Refusal",
             "{second} would cross {first}: going round, they come in different orders on the two shapes.",
         )
-    return _capitalised(text.format(first=_named(first, document), second=_named(second, document)))
+    text = translate(
+        "Refusal",
+        "{{second}} would cross {{first}}: after {third}, going round, one of them comes first on the source "
+        "and the other on the target. Take another vertex, or move or remove a pin.",
+    )
+    return text.format(third=_named(third, document))
 
 
 def _named(pair: Mark, document: Document) -> str:

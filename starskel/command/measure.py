@@ -4,7 +4,6 @@ import math
 import sys
 from argparse import Namespace
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 from statistics import median
 
 import msgspec
@@ -12,7 +11,7 @@ import msgspec
 from starskel.blending import COMPARED
 from starskel.command import FAILED
 from starskel.command.methods import blends
-from starskel.command.opening import Opened, opened
+from starskel.command.opening import Opened, named, opened
 from starskel.errors import StarskelError
 from starskel.files.documents import document_text
 from starskel.quality import Distortion, Report, measure
@@ -102,7 +101,7 @@ def run(arguments: Namespace) -> int:
                     table.add(figures, report)
         except StarskelError as error:
             failures.append(_Failure(pair_id, str(error)))
-            print(f"starskel: {_named(error, pair_id, arguments.file)}", file=sys.stderr)
+            print(f"starskel: {named(error, pair_id, arguments.file)}", file=sys.stderr)
     if table is None:
         print(document_text(_Document(FORMAT, arguments.frames, found, failures)), end="")
     else:
@@ -115,11 +114,6 @@ def _ids(file: Opened, asked: Sequence[str] | None) -> Sequence[str]:
         if pair_id not in file.ids:
             file.pair(pair_id)  # raises, and names near ones
     return asked or file.ids
-
-
-def _named(error: StarskelError, pair_id: str, path: Path) -> str:
-    text = str(error)
-    return text if text.startswith(str(path)) else f'{path}: pair "{pair_id}": {text}'
 
 
 def _measured(
