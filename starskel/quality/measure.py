@@ -11,7 +11,7 @@ from starskel.errors import StarskelError
 from starskel.outline import cross_themselves, edge_lengths, signed_areas
 from starskel.polygon import crossing_edges, meeting_places
 from starskel.predicates import Floats
-from starskel.quality.drift import angle_deviation, length_deviation, linear, roughness
+from starskel.quality.drift import angle_deviation, length_deviations, linear, roughness
 from starskel.quality.inside import Distortion, Triangles
 from starskel.quality.layers import in_layers
 from starskel.quality.proof import proof
@@ -63,7 +63,7 @@ def measure(
         crossings = (between,) if between else ()
     last = task.part(0.9, 1)
     last.reach(0)
-    length = length_deviation(rings, times)
+    lengths = length_deviations(rings, times)
     last.reach(0.3)
     angle = angle_deviation(rings, times)
     last.reach(0.7)
@@ -77,7 +77,7 @@ def measure(
         areas=areas,
         perimeters=edge_lengths(rings).sum(axis=1),
         area_deviations=areas / linear(areas[0], areas[-1], times) - 1,
-        length_deviation=length,
+        length_deviations=lengths,
         angle_deviation=angle,
         negative_lengths=tuple(np.flatnonzero(blend.negative_lengths(times)).tolist()),
         roughness=rough,
