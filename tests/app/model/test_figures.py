@@ -2,7 +2,8 @@ import numpy as np
 import pytest
 
 from app.model import figures
-from starskel.polygon import Polygon, signed_area
+from starskel.outline import signed_areas
+from starskel.polygon import Polygon
 
 
 def test_a_rectangle_runs_counter_clockwise_whichever_corners_it_is_given_by() -> None:
@@ -23,7 +24,7 @@ def test_a_regular_polygon_has_equal_edges_and_a_vertex_at_the_corner(count: int
     np.testing.assert_allclose(ring[0], (4, 5))
     lengths = np.hypot(*(np.roll(ring, -1, axis=0) - ring).T)
     np.testing.assert_allclose(lengths, lengths[0])
-    assert signed_area(ring) > 0
+    assert signed_areas(ring) > 0
 
 
 def test_a_star_has_points_and_inner_vertices_in_turn() -> None:

@@ -3,7 +3,8 @@ import pytest
 
 from app.model.svg_outline import outline_svg, outlines_of
 from starskel.errors import InvalidFile
-from starskel.polygon import Polygon, signed_area
+from starskel.outline import signed_areas
+from starskel.polygon import Polygon
 from starskel.predicates import Floats
 
 
@@ -45,7 +46,7 @@ def test_lines_in_every_writing(data: str) -> None:
 def test_a_circle_in_every_writing(content: str) -> None:
     ring = only(content)
     np.testing.assert_allclose(np.hypot(*(ring - (5, -6)).T), 4, atol=0.006)
-    assert abs(signed_area(ring)) == pytest.approx(np.pi * 16, rel=2e-3)
+    assert abs(signed_areas(ring)) == pytest.approx(np.pi * 16, rel=2e-3)
 
 
 def test_quadratic_curves_go_on_smoothly() -> None:
