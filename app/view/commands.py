@@ -188,6 +188,24 @@ COMMANDS = (
         ("End",),
     ),
     Command(
+        "step-back",
+        QT_TRANSLATE_NOOP("Command", "Frame &Back"),
+        QT_TRANSLATE_NOOP("Command", "Stop, and show the frame before"),
+        (",",),
+    ),
+    Command(
+        "step-forward",
+        QT_TRANSLATE_NOOP("Command", "Frame For&ward"),
+        QT_TRANSLATE_NOOP("Command", "Stop, and show the next frame"),
+        (".",),
+    ),
+    Command(
+        "next-crossing",
+        QT_TRANSLATE_NOOP("Command", "Ne&xt Crossing"),
+        QT_TRANSLATE_NOOP("Command", "Stop where the next of the blends shown crosses itself"),
+        ("X",),
+    ),
+    Command(
         "recompute",
         QT_TRANSLATE_NOOP("Command", "&Compute Again"),
         QT_TRANSLATE_NOOP("Command", "Compute all blends anew"),
@@ -217,7 +235,21 @@ MENUS = (
         QT_TRANSLATE_NOOP("Command", "&Tools"),
         (*PALETTE, "", "suggest", "marks", "", *_names(drawing_commands.SNAPPING)),
     ),
-    (QT_TRANSLATE_NOOP("Command", "&Blend"), ("play", "to-start", "to-end", "", "methods", "", "recompute")),
+    (
+        QT_TRANSLATE_NOOP("Command", "&Blend"),
+        (
+            "play",
+            "to-start",
+            "to-end",
+            "step-back",
+            "step-forward",
+            "next-crossing",
+            "",
+            "methods",
+            "",
+            "recompute",
+        ),
+    ),
     (
         QT_TRANSLATE_NOOP("Command", "&View"),
         (

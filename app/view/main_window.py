@@ -27,6 +27,7 @@ from app.view.player import Player
 from app.view.status import Status
 from app.view.theme import DARK, LIGHT, Theme, apply_theme, theme_of
 from app.view.timeline import Timeline
+from app.view.verdicts import next_crossing
 
 LAYERS = tuple(field.name for field in fields(Layers))
 """Switches of what is shown, which have the names of their commands."""
@@ -131,6 +132,9 @@ class MainWindow(QMainWindow):
             "play": player.toggle,
             "to-start": player.to_start,
             "to-end": player.to_end,
+            "step-back": player.step_back,
+            "step-forward": player.step_forward,
+            "next-crossing": self._next_crossing,
             "recompute": session.recompute,
         }
 
@@ -180,6 +184,12 @@ class MainWindow(QMainWindow):
     def _zoom_out(self) -> None:
         for canvas in self.canvases.values():
             canvas.zoom(1 / NOTCH)
+
+    @Slot()
+    def _next_crossing(self) -> None:
+        reports = [result.report for result in self.session.fresh_results]
+        if (t := next_crossing(reports, self.player.t)) is not None:
+            self.player.stop_at(t)
 
     @Slot()
     def _switch_display(self) -> None:
