@@ -66,6 +66,18 @@ class Points:
             dict(self.places),
         )
 
+    def again(self, rows: Indices) -> "Points":
+        """Give these points followed by some of them once more."""
+        free = self.start[rows] == self.end[rows]
+        new = len(self.start) + np.arange(len(rows))
+        return Points(
+            np.concatenate([self.coordinates, self.coordinates[rows]]),
+            np.concatenate([self.start, np.where(free, new, self.start[rows])]),
+            np.concatenate([self.end, np.where(free, new, self.end[rows])]),
+            np.concatenate([self.share, self.share[rows]]),
+            dict(self.places),
+        )
+
     def orientation(self, i: Indices, j: Indices, k: Indices) -> Signs:
         """Tell whether the turn from point i over j to k is left (1), right (-1) or none (0), exactly."""
         rounded = self.rounded
@@ -94,7 +106,8 @@ class Points:
     def _by_ends(self, i: Indices, j: Indices, k: Indices) -> Signs:
         """Decide from the turns of the chords' ends: a determinant is a positive mean of theirs."""
         ends = [(self.start[p], self.end[p]) for p in (i, j, k)]
-        turns = np.stack([self._turn_of_ends(*chosen) for chosen in product(*ends)])
+        chosen = np.stack([np.stack(corners) for corners in product(*ends)], axis=1)
+        turns = self._turn_of_ends(*chosen.reshape(3, -1)).reshape(8, -1)
         low, high = turns.min(axis=0), turns.max(axis=0)
         signs: Signs = np.where(low >= 0, high, low)
         for p in np.flatnonzero((low < 0) & (high > 0)):

@@ -1,10 +1,12 @@
 """What is asked of the worker, and what comes back."""
 
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
 from app.model.marks import Marks
+from app.model.sequence import Sequence
 from starskel import Blend, Report
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
@@ -25,6 +27,14 @@ class Subject:
     source: Polygon
     target: Polygon
     marks: Marks = ()
+
+
+def subjects_of(sequence: Sequence) -> tuple[Subject | None, ...]:
+    """Give what is to be blended in each step, None where a shape is missing."""
+    return tuple(
+        None if source is None or target is None else Subject(source, target, marks)
+        for (source, target), marks in zip(pairwise(sequence.shapes), sequence.marks, strict=True)
+    )
 
 
 @dataclass(frozen=True)

@@ -234,6 +234,27 @@ class Document:
             )
         return self._reshape(side, ring, pins.after_deletion(vertices))
 
+    def reform(self, side: Side, ring: Floats, place: Place) -> "Document":
+        """Give a shape another ring; `place` tells where each vertex is in it, None where it is gone.
+
+        Raises
+        ------
+        InvalidPolygon
+            If edges would cross or vertices coincide.
+        InvalidMarks
+            If the shape is turned inside out so that marks cross.
+        """
+        return self._reshape(side, ring, place)
+
+    def marked(self, side: Side) -> tuple[int, ...]:
+        """Give the vertices on this side that are marked, in this step or in the other one of the shape."""
+        number = self.shape_on(side)
+        return tuple(vertex for vertex, _ in self.sequence.marks_between(number, number))
+
+    def exchanged(self) -> "Document":
+        """Exchange source and target."""
+        return self.arranged(self.sequence.moved(self.step, self.step + 1), self.step)
+
     def mark(self, source: int, target: int) -> "Document":
         """Add the mark that these vertices correspond.
 
@@ -300,3 +321,13 @@ class Document:
             return replace(self, source=own, marks=marks, before=before)
         after = (*(each.following("source", place) for each in self.after[:1]), *self.after[1:])
         return replace(self, target=own, marks=marks, after=after)
+
+
+def lost_marks(before: Document, after: Document) -> int:
+    """Count the marks that an edit of shapes took along; where only their order changed, the vertices."""
+    former, later = before.sequence, after.sequence
+    if former.shapes == later.shapes:
+        return 0
+    if set(later.shapes) - {None} <= set(former.shapes):
+        return sum(end[0] in later.shapes and end not in later.marked for end in former.marked)
+    return max(sum(map(len, former.marks)) - sum(map(len, later.marks)), 0)
