@@ -4,7 +4,6 @@ import math
 import sys
 from argparse import Namespace
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 from statistics import median
 
 import msgspec
@@ -12,7 +11,7 @@ import msgspec
 from starskel.blending import COMPARED
 from starskel.command import FAILED
 from starskel.command.methods import blends
-from starskel.command.opening import Opened, opened
+from starskel.command.opening import Opened, named, opened
 from starskel.errors import StarskelError
 from starskel.files.documents import document_text
 from starskel.quality import Distortion, Report, measure
@@ -34,7 +33,7 @@ class Moment(msgspec.Struct, frozen=True):
 
 
 class Figures(msgspec.Struct, frozen=True):
-    """What was measured of one pair by one method."""
+    """What was measured of one pair by one method; series have a number for each frame."""
 
     id: str
     method: str
@@ -51,6 +50,10 @@ class Figures(msgspec.Struct, frozen=True):
     angle_deviation: float
     roughness: float
     inside: Distortion | None
+    areas: list[float]
+    area_deviations: list[float]
+    perimeters: list[float]
+    length_deviations: list[float]
 
     @classmethod
     def of(cls, pair_id: str, method: str, vertices: int, report: Report) -> "Figures":
@@ -71,6 +74,10 @@ class Figures(msgspec.Struct, frozen=True):
             angle_deviation=report.angle_deviation,
             roughness=report.roughness,
             inside=report.inside,
+            areas=report.areas.tolist(),
+            area_deviations=report.area_deviations.tolist(),
+            perimeters=report.perimeters.tolist(),
+            length_deviations=report.length_deviations.tolist(),
         )
 
 
@@ -102,7 +109,7 @@ def run(arguments: Namespace) -> int:
                     table.add(figures, report)
         except StarskelError as error:
             failures.append(_Failure(pair_id, str(error)))
-            print(f"starskel: {_named(error, pair_id, arguments.file)}", file=sys.stderr)
+            print(f"starskel: {named(error, pair_id, arguments.file)}", file=sys.stderr)
     if table is None:
         print(document_text(_Document(FORMAT, arguments.frames, found, failures)), end="")
     else:
@@ -115,11 +122,6 @@ def _ids(file: Opened, asked: Sequence[str] | None) -> Sequence[str]:
         if pair_id not in file.ids:
             file.pair(pair_id)  # raises, and names near ones
     return asked or file.ids
-
-
-def _named(error: StarskelError, pair_id: str, path: Path) -> str:
-    text = str(error)
-    return text if text.startswith(str(path)) else f'{path}: pair "{pair_id}": {text}'
 
 
 def _measured(
@@ -146,7 +148,7 @@ class _Table:
             percent(figures.length_deviation),
             f"{math.degrees(figures.angle_deviation):.1f} deg",
             percent(report.inside.stretch - 1) if report.inside else "-",
-            percent(figures.roughness),
+            f"{100 * figures.roughness:.2f} %",
             crossing_counts(report),
         )
 
@@ -165,7 +167,7 @@ class _Table:
     def _print(self, *cells: str) -> None:
         pair_id, method, area, length, angle, stretch, rough, words = cells
         name, verb = self._widths
-        row = f"{pair_id:{name}}  {method:{verb}} {area:>6} {length:>6} {angle:>8} {stretch:>7} {rough:>6}"
+        row = f"{pair_id:{name}}  {method:{verb}} {area:>6} {length:>6} {angle:>8} {stretch:>7} {rough:>7}"
         print(f"{row}  {words}", flush=True)
 
 

@@ -1,8 +1,18 @@
 """What was measured of a blend, in words."""
 
 from collections.abc import Sequence
+from typing import Literal
 
 from starskel.quality import Report
+
+Kind = Literal["simple", "natural", "harmful"]
+
+
+def kind_of(report: Report) -> Kind:
+    """Say in a word how good a blend is."""
+    if report.simple:
+        return "simple"
+    return "natural" if report.natural else "harmful"
 
 
 def verdict(report: Report) -> str:
@@ -11,11 +21,13 @@ def verdict(report: Report) -> str:
         return "simple, proven" if report.proven else "simple"
     if report.natural:
         return f"natural crossing at t = {crossing_words(report)}"
-    return f"crosses at t = {crossing_words(report)}{_naturally(len(report.natural_frames))}"
+    natural = f", natural in {counted(len(report.natural_frames), 'frame')}" if report.natural_frames else ""
+    return f"crosses at t = {crossing_words(report)}{natural}"
 
 
-def _naturally(count: int) -> str:
-    return f", natural in {count} frame{'s' if count > 1 else ''}" if count else ""
+def counted(count: int, name: str) -> str:
+    """Give a number with the name of what is counted: "1 frame", "2 frames"."""
+    return f"{count} {name}{'' if count == 1 else 's'}"
 
 
 def crossing_words(report: Report) -> str:

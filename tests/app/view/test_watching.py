@@ -1,13 +1,13 @@
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLabel
+from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QLabel
 
 from app.playback import Repeat
+from app.session import USUAL_METHODS
 from app.view.panels import columns_for
-from starskel import METHODS
-from starskel.blending import COMPARED
 from starskel.files.examples import example
 from tests.app.driver import LEFT, PLAIN, Driver
 
@@ -28,11 +28,11 @@ def verdict(driver: Driver, method: str) -> str:
 def test_drawing_two_shapes_is_enough_for_all_blends(driver: Driver) -> None:
     driver.draw_both()
     driver.wait_for_blends()
-    assert [result.method for result in driver.session.fresh_results] == list(COMPARED)
+    assert [result.method for result in driver.session.fresh_results] == list(USUAL_METHODS)
 
 
 def test_each_method_gets_a_verdict(arm: Driver) -> None:
-    for method in METHODS:
+    for method in USUAL_METHODS:
         assert "area" in verdict(arm, method)
     assert verdict(arm, "stitched").startswith("✓ simple")
     assert verdict(arm, "vertex").startswith("✕ crosses at t = .")
@@ -101,7 +101,9 @@ def test_repeat_and_speed_are_chosen_by_keys(arm: Driver) -> None:
     assert arm.window.player.speed == 2
 
 
-@pytest.mark.parametrize("switches", [("pieces",), ("skeleton",), ("pieces", "skeleton")])
+@pytest.mark.parametrize(
+    "switches", [("pieces",), ("skeleton",), ("pieces", "skeleton"), ("onion",), ("ways",), ("numbers",)]
+)
 def test_pieces_and_skeleton_change_what_is_painted(arm: Driver, switches: tuple[str, ...]) -> None:
     arm.window.player.seek(0.4)
     view = arm.window.panels.panel("stitched").view
@@ -114,6 +116,34 @@ def test_pieces_and_skeleton_change_what_is_painted(arm: Driver, switches: tuple
     assert view.grab().toImage() == plain
 
 
+@pytest.mark.parametrize("switch", ["pieces", "skeleton", "numbers"])
+def test_the_canvases_show_it_too(arm: Driver, switch: str) -> None:
+    canvas = arm.window.canvases["target"]
+    plain = canvas.grab().toImage()
+    arm.window.actions_table[switch].trigger()
+    assert canvas.grab().toImage() != plain
+
+
+def test_the_wheel_zooms_all_panels_and_a_double_click_shows_everything(arm: Driver) -> None:
+    views = [arm.window.panels.panel(method).view for method in ("stitched", "vertex")]
+    fitted = [view.camera for view in views]
+    place = QPointF(30, 40)
+    turn = QWheelEvent(
+        *(place, QPointF(views[0].mapToGlobal(place.toPoint())), QPoint(), QPoint(0, 120)),
+        *(Qt.MouseButton.NoButton, PLAIN, Qt.ScrollPhase.NoScrollPhase, False),
+    )
+    QApplication.sendEvent(views[0], turn)
+    for view, camera in zip(views, fitted, strict=True):
+        assert view.camera.scale == pytest.approx(1.25 * camera.scale)
+    assert views[0].camera.centre == views[1].camera.centre
+    QTest.mousePress(views[1], LEFT, PLAIN, QPoint(50, 50))
+    QTest.mouseMove(views[1], QPoint(70, 50))
+    QTest.mouseRelease(views[1], LEFT, PLAIN, QPoint(70, 50))
+    assert views[0].camera.centre[0] == pytest.approx(views[1].camera.centre[0])
+    QTest.mouseDClick(views[0], LEFT, PLAIN, QPoint(50, 50))
+    assert [view.camera for view in views] == fitted
+
+
 def test_methods_are_chosen_from_the_menu_and_the_choice_is_undone(arm: Driver) -> None:
     (menu,) = (
         m
@@ -123,10 +153,10 @@ def test_methods_are_chosen_from_the_menu_and_the_choice_is_undone(arm: Driver) 
     vertex = next(action for action in menu.actions() if action.data() == "vertex")
     vertex.trigger()
     assert "vertex" not in arm.document.methods
-    assert len(arm.session.fresh_results) == len(METHODS) - 1
+    assert len(arm.session.fresh_results) == len(USUAL_METHODS) - 1
     arm.session.undo()
     arm.wait_for_blends()
-    assert len(arm.session.fresh_results) == len(METHODS)
+    assert len(arm.session.fresh_results) == len(USUAL_METHODS)
 
 
 def test_an_edit_leaves_the_last_blend_on_screen_marked_out_of_date(arm: Driver) -> None:
@@ -205,7 +235,7 @@ def test_the_grid_follows_the_window(arm: Driver) -> None:
     for size in ((1300, 800), (800, 1000)):
         arm.window.resize(*size)
         arm.window.panels.resize(size[0], size[1] // 2)
-        panels = [arm.window.panels.panel(method) for method in COMPARED]
+        panels = [arm.window.panels.panel(method) for method in USUAL_METHODS]
         shown.add(len({panel.x() for panel in panels}))
         assert all(panel.isVisible() for panel in panels)
     assert len(shown) == 2
@@ -224,8 +254,8 @@ def test_the_skeleton_of_a_single_piece_is_its_origin(driver: Driver) -> None:
 def test_a_cancelled_computation_says_how_to_go_on(arm: Driver) -> None:
     arm.session.show_project(example("ribbon"))
     arm.key(Qt.Key.Key_Escape)
-    messages = [arm.window.panels.panel(method).view.message for method in METHODS]
+    messages = [arm.window.panels.panel(method).view.message for method in USUAL_METHODS]
     assert all("F5" in message for message in messages)
     arm.key(Qt.Key.Key_F5)
     arm.wait_for_blends()
-    assert all(arm.window.panels.panel(method).view.message == "" for method in METHODS)
+    assert all(arm.window.panels.panel(method).view.message == "" for method in USUAL_METHODS)
