@@ -29,6 +29,7 @@ def blend(
     method: str = ...,
     decomposition: Decomposition | None = ...,
     root: int | None = ...,
+    settled: bool = ...,
     progress: Progress | None = ...,
     should_stop: ShouldStop | None = ...,
 ) -> Blend: ...
@@ -43,6 +44,7 @@ def blend(
     *,
     decomposition: Decomposition | None = ...,
     root: int | None = ...,
+    settled: bool = ...,
     progress: Progress | None = ...,
     should_stop: ShouldStop | None = ...,
 ) -> Blend: ...
@@ -56,6 +58,7 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     *,
     decomposition: Decomposition | None = None,
     root: int | None = None,
+    settled: bool = True,
     progress: Progress | None = None,
     should_stop: ShouldStop | None = None,
 ) -> Blend:
@@ -74,6 +77,8 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
         That of the pair, where it is known already; else it is computed if the method needs it.
     root : int, optional
         The piece that is the skeleton's root; else the one with the most neighbours.
+    settled : bool
+        False gives a blend sooner, where the method goes on improving one: `Blend.improvements` goes on.
     progress : callable, optional
         Called with the fraction done.
     should_stop : callable, optional
@@ -99,7 +104,7 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
         "edge-angle": lambda: EdgeAngleBlend(pair),
         "star-skeleton": lambda: StarSkeletonBlend(_decomposition(pair, decomposition, task), root),
         "stitched": lambda: StitchedBlend(
-            _decomposition(pair, decomposition, task), root, task.part(_DECOMPOSING, 1)
+            _decomposition(pair, decomposition, task), root, task.part(_DECOMPOSING, 1), settled=settled
         ),
         "rigid": lambda: RigidBlend(
             _decomposition(pair, decomposition, task), root, task.part(_DECOMPOSING, 1)
