@@ -8,7 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal, Slot
 
 from app.compute import Blends, MethodState, Result, Subject, Trace, trace_of
-from app.model.document import Document
+from app.model.document import Document, lost_marks
 from app.model.history import History
 from app.model.marks import SIDES, Marks, Side
 from app.model.selection import Selection, everything
@@ -60,6 +60,8 @@ class Session(QObject):
         What the user has set for the tools.
     refusal : Refusal or None
         The last edit that was not possible, until the next one is tried.
+    lost : int
+        How many marks the last edit of a shape took along, until the next one is begun.
     path : Path or None
         The project file, None before it has one.
     pointed : (side, int) or None
@@ -93,6 +95,7 @@ class Session(QObject):
         self.tool: Tool = SelectTool()
         self.settings = Settings()
         self.refusal: Refusal | None = None
+        self.lost = 0
         self.path: Path | None = None
         self.pointed: Pointed | None = None
 
@@ -206,6 +209,9 @@ class Session(QObject):
         """Give up the nearest thing that can be given up: gesture, notice, computation, selection."""
         if self.tool.busy or self.refusal is not None:
             self._answer(Response(self.tool.cancel()))
+        elif self.lost:
+            self.lost = 0
+            self.changed.emit()
         elif self.busy:
             self._blends.cancel()
         else:
@@ -325,8 +331,10 @@ class Session(QObject):
         return Scene(self.document, self.selection, self.settings)
 
     def _answer(self, response: Response) -> None:
-        former = self.tool, self.refusal, self.selection
+        former = self.tool, self.refusal, self.selection, self.lost
         self.tool, self.refusal = response.tool, response.refusal
+        if self.refusal is not None or self.tool.busy:
+            self.lost = 0
         if response.selection is not None:
             self.selection = response.selection
         if response.commit is not None:
@@ -337,7 +345,8 @@ class Session(QObject):
             self.tool_changed.emit()
         if self.tool != former[0]:
             self._point_by_tool()
-        if (self.tool, self.refusal, self.selection) != former:  # most moves of the pointer change nothing
+        now = self.tool, self.refusal, self.selection, self.lost
+        if now != former:  # most moves of the pointer change nothing
             self.changed.emit()
 
     def _point_by_tool(self) -> None:
@@ -350,6 +359,7 @@ class Session(QObject):
         if commit.document == self.document:
             self._blend(self.document)  # the gesture ended where it began
             return
+        self.lost = lost_marks(self.document, commit.document)
         self._history = self._history.push(commit.document, commit.name, commit.joins)
         self._refresh()
 
@@ -357,6 +367,7 @@ class Session(QObject):
         former = self.document
         self._history = history
         self.selection = self.selection.after(former, self.document)
+        self.lost = 0
         self.tool = TOOLS[self.tool.name]()
         self.refusal = None
         self._refresh()
@@ -364,7 +375,7 @@ class Session(QObject):
     def _start(self, document: Document, path: Path | None) -> None:
         self._history = History.of(document)
         self._saved, self.path = document, path
-        self.selection, self.refusal = Selection(), None
+        self.selection, self.refusal, self.lost = Selection(), None, 0
         self.tool = SelectTool() if document.source or document.target else DrawTool()
         self._blends.forget()
         self.tool_changed.emit()

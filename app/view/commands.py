@@ -74,6 +74,8 @@ COMMANDS = (
     ),
     *drawing_commands.TOOLS,
     *drawing_commands.SNAPPING,
+    *drawing_commands.CLIPBOARD,
+    *drawing_commands.SHAPE,
     Command(
         "mark",
         QT_TRANSLATE_NOOP("Command", "&Mark"),
@@ -186,6 +188,24 @@ COMMANDS = (
         ("End",),
     ),
     Command(
+        "step-back",
+        QT_TRANSLATE_NOOP("Command", "Frame &Back"),
+        QT_TRANSLATE_NOOP("Command", "Stop, and show the frame before"),
+        (",",),
+    ),
+    Command(
+        "step-forward",
+        QT_TRANSLATE_NOOP("Command", "Frame For&ward"),
+        QT_TRANSLATE_NOOP("Command", "Stop, and show the next frame"),
+        (".",),
+    ),
+    Command(
+        "next-crossing",
+        QT_TRANSLATE_NOOP("Command", "Ne&xt Crossing"),
+        QT_TRANSLATE_NOOP("Command", "Stop where the next of the blends shown crosses itself"),
+        ("X",),
+    ),
+    Command(
         "recompute",
         QT_TRANSLATE_NOOP("Command", "&Compute Again"),
         QT_TRANSLATE_NOOP("Command", "Compute all blends anew"),
@@ -193,7 +213,12 @@ COMMANDS = (
     ),
 )
 
-PALETTE = (*(tool.name for tool in drawing_commands.TOOLS), "mark")
+
+def _names(commands: tuple[Command, ...]) -> tuple[str, ...]:
+    return tuple(command.name for command in commands)
+
+
+PALETTE = (*_names(drawing_commands.TOOLS), "mark")
 """The tools, in the order of the bar at the left."""
 
 MENUS = (
@@ -201,12 +226,30 @@ MENUS = (
         QT_TRANSLATE_NOOP("Command", "&File"),
         ("new", "open", "examples", "", "save", "save-as", "", "export", "", "quit"),
     ),
-    (QT_TRANSLATE_NOOP("Command", "&Edit"), ("undo", "redo", "", "select-all", "delete", "", "cancel")),
+    (
+        QT_TRANSLATE_NOOP("Command", "&Edit"),
+        ("undo", "redo", "", *_names(drawing_commands.CLIPBOARD), "", "select-all", "delete", "", "cancel"),
+    ),
+    (QT_TRANSLATE_NOOP("Command", "&Shape"), _names(drawing_commands.SHAPE)),
     (
         QT_TRANSLATE_NOOP("Command", "&Tools"),
-        (*PALETTE, "", "suggest", "marks", "", *(each.name for each in drawing_commands.SNAPPING)),
+        (*PALETTE, "", "suggest", "marks", "", *_names(drawing_commands.SNAPPING)),
     ),
-    (QT_TRANSLATE_NOOP("Command", "&Blend"), ("play", "to-start", "to-end", "", "methods", "", "recompute")),
+    (
+        QT_TRANSLATE_NOOP("Command", "&Blend"),
+        (
+            "play",
+            "to-start",
+            "to-end",
+            "step-back",
+            "step-forward",
+            "next-crossing",
+            "",
+            "methods",
+            "",
+            "recompute",
+        ),
+    ),
     (
         QT_TRANSLATE_NOOP("Command", "&View"),
         (

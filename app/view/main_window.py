@@ -15,6 +15,7 @@ from app.view.actions import Actions
 from app.view.canvas import NOTCH, Canvas
 from app.view.commands import PALETTE
 from app.view.display import Display, Layers
+from app.view.edits import Edits
 from app.view.files import Files
 from app.view.icons import icon
 from app.view.mark_line import MarkLine
@@ -26,6 +27,7 @@ from app.view.player import Player
 from app.view.status import Status
 from app.view.theme import DARK, LIGHT, Theme, apply_theme, theme_of
 from app.view.timeline import Timeline
+from app.view.verdicts import next_crossing
 
 LAYERS = tuple(field.name for field in fields(Layers))
 """Switches of what is shown, which have the names of their commands."""
@@ -40,8 +42,9 @@ class MainWindow(QMainWindow):
         self.player = Player(self)
         self.display = Display(self)
         self.files = Files(self, session, self.player, self.display)
-        self.actions_table = Actions(self, self._handlers())
         self.canvases: dict[Side, Canvas] = {side: Canvas(session, side, self.display) for side in SIDES}
+        self.edits = Edits(self, session, self.canvases)
+        self.actions_table = Actions(self, self._handlers())
         self.panels = Panels(session, self.player, self.display)
         self.timeline = Timeline(session, self.player, self.actions_table)
         self._examples = examples_menu(self)
@@ -115,6 +118,7 @@ class MainWindow(QMainWindow):
             "select-all": self._select_all,
             "delete": self._delete,
             "cancel": session.cancel,
+            **self.edits.handlers(),
             **dict.fromkeys(PALETTE, self._choose_tool),
             **dict.fromkeys(SWITCHES, self._switch_snapping),
             "suggest": self._suggest_marks,
@@ -128,6 +132,9 @@ class MainWindow(QMainWindow):
             "play": player.toggle,
             "to-start": player.to_start,
             "to-end": player.to_end,
+            "step-back": player.step_back,
+            "step-forward": player.step_forward,
+            "next-crossing": self._next_crossing,
             "recompute": session.recompute,
         }
 
@@ -177,6 +184,12 @@ class MainWindow(QMainWindow):
     def _zoom_out(self) -> None:
         for canvas in self.canvases.values():
             canvas.zoom(1 / NOTCH)
+
+    @Slot()
+    def _next_crossing(self) -> None:
+        reports = [result.report for result in self.session.fresh_results]
+        if (t := next_crossing(reports, self.player.t)) is not None:
+            self.player.stop_at(t)
 
     @Slot()
     def _switch_display(self) -> None:

@@ -69,7 +69,9 @@ class Panel(QWidget):
         text = verdicts.summary(state.result.report)
         if state.stale:
             return "… " + self.tr("{verdict} (out of date)").format(verdict=text), theme.muted
-        return ("✓ " + text, theme.simple) if state.result.report.simple else ("✕ " + text, theme.refused)
+        if state.result.report.simple:
+            return "✓ " + text, theme.simple
+        return ("≈ " if state.result.report.natural else "✕ ") + text, theme.refused
 
     def _tip(self, state: MethodState) -> str:
         if state.error is not None:

@@ -42,6 +42,11 @@ def catch(kind: str, angle: int) -> str:
     }[kind]
 
 
+def lost_marks(count: int) -> str:
+    """Say that an edit took marks away."""
+    return translate("News", "%n marks went with this edit. Undo brings them back.", "", count)
+
+
 def method(name: str) -> str:
     """Give the name of a blending method."""
     return translate("Method", name)

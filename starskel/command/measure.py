@@ -140,7 +140,7 @@ class _Table:
             percent(figures.length_deviation),
             f"{math.degrees(figures.angle_deviation):.1f} deg",
             percent(report.inside.stretch - 1) if report.inside else "-",
-            percent(figures.roughness),
+            f"{100 * figures.roughness:.2f} %",
             crossing_counts(report),
         )
 
@@ -159,7 +159,7 @@ class _Table:
     def _print(self, *cells: str) -> None:
         pair_id, method, area, length, angle, stretch, rough, words = cells
         name, verb = self._widths
-        row = f"{pair_id:{name}}  {method:{verb}} {area:>6} {length:>6} {angle:>8} {stretch:>7} {rough:>6}"
+        row = f"{pair_id:{name}}  {method:{verb}} {area:>6} {length:>6} {angle:>8} {stretch:>7} {rough:>7}"
         print(f"{row}  {words}", flush=True)
 
 

@@ -21,6 +21,9 @@ _ORDERS = (
     ("area", "largest area drift first"),
 )
 
+_SCALE = 1.4
+"""Pixels of the page for a point of a sheet: all sheets in one size of letters."""
+
 _FIGURES = (
     "Method", "Area drift", "Length drift", "Angle drift", "Stretched", "Folded", "Roughness", "Verdict",
 )  # fmt: skip
@@ -125,11 +128,11 @@ def _chip(method: str, report: Report) -> str:
 def _section(exhibit: Exhibit) -> str:
     words = "; ".join(f"{method}: {verdict(report)}" for method, report in exhibit.reports.items())
     rows = [_figures(method, report) for method, report in exhibit.reports.items()]
-    sheet = exhibit.sheet
+    width, height = _SCALE * exhibit.sheet.width, _SCALE * exhibit.sheet.height
     return f"""<section id="{exhibit.name}">
 <h2><a href="#{exhibit.name}">{escape(exhibit.title)}</a></h2>
 <p>{escape(exhibit.text)}</p>
-<div class="sheet"><img src="{exhibit.name}.svg" width="{sheet.width:.0f}" height="{sheet.height:.0f}"
+<div class="sheet"><img src="{exhibit.name}.svg" width="{width:.0f}" height="{height:.0f}"
  loading="lazy" alt="{escape(f"{exhibit.title}, frames by each method. {words}")}"></div>
 <details><summary>All figures</summary>
 {_table(_FIGURES, rows)}

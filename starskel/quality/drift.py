@@ -12,11 +12,11 @@ def linear(start: Floats, end: Floats, times: Floats) -> Floats:
     return np.asarray((1 - t) * start + t * end)
 
 
-def length_deviation(rings: Floats, times: Floats) -> float:
-    """Give the mean part by which edge lengths differ in sum from their linear blend."""
+def length_deviations(rings: Floats, times: Floats) -> Floats:
+    """Give for each frame the part by which edge lengths differ in sum from their linear blend."""
     lengths = edge_lengths(rings)
     expected = linear(lengths[0], lengths[-1], times)
-    return float((np.abs(lengths - expected).sum(axis=1) / expected.sum(axis=1)).mean())
+    return np.asarray(np.abs(lengths - expected).sum(axis=1) / expected.sum(axis=1))
 
 
 def angle_deviation(rings: Floats, times: Floats) -> float:

@@ -11,7 +11,7 @@ from starskel.errors import StarskelError
 from starskel.outline import cross_themselves, edge_lengths, signed_areas
 from starskel.polygon import crossing_edges, meeting_places
 from starskel.predicates import Floats
-from starskel.quality.drift import angle_deviation, length_deviation, linear, roughness
+from starskel.quality.drift import angle_deviation, length_deviations, linear, roughness
 from starskel.quality.inside import Distortion, Triangles
 from starskel.quality.layers import in_layers
 from starskel.quality.proof import proof
@@ -55,28 +55,34 @@ def measure(
     if not isinstance(blend, Blend):
         raise StarskelError(f"{type(blend).__name__} is no blend", "give what starskel.blend returns")
     task = Task(progress, should_stop)
-    rings, inside = _looked_at(blend, times, task.part(0, 0.5))
-    crossings = _crossings(rings, times, task.part(0.5, 0.9))
+    rings, inside = _looked_at(blend, times, task.part(0, 0.4))
+    crossings = _crossings(rings, times, task.part(0.4, 0.8))
     proven = bool(crossings)
     if not crossings:
-        proven, between = proof(blend, task.part(0.9, 1))
+        proven, between = proof(blend, task.part(0.8, 0.9))
         crossings = (between,) if between else ()
+    last = task.part(0.9, 1)
+    last.reach(0)
+    lengths = length_deviations(rings, times)
+    last.reach(0.3)
+    angle = angle_deviation(rings, times)
+    last.reach(0.7)
+    rough = _roughness(blend, rings)
+    last.reach(1)
     areas = signed_areas(rings)
-    report = Report(
+    return Report(
         times=times,
         crossings=crossings,
         proven=proven,
         areas=areas,
         perimeters=edge_lengths(rings).sum(axis=1),
         area_deviations=areas / linear(areas[0], areas[-1], times) - 1,
-        length_deviation=length_deviation(rings, times),
-        angle_deviation=angle_deviation(rings, times),
+        length_deviations=lengths,
+        angle_deviation=angle,
         negative_lengths=tuple(np.flatnonzero(blend.negative_lengths(times)).tolist()),
-        roughness=_roughness(blend, rings),
+        roughness=rough,
         inside=inside,
     )
-    task.reach(1)
-    return report
 
 
 def _checked_count(frames: int) -> int:
@@ -121,9 +127,10 @@ def _crossings(rings: Floats, times: Floats, task: Task) -> tuple[Crossing, ...]
     found: list[Crossing] = []
     for start in range(0, len(rings), step):
         for k in start + np.flatnonzero(cross_themselves(rings[start : start + step])):
-            task.reach(k / len(rings))
+            frame = task.part(k / len(rings), 1)
+            frame.reach(0)
             places = meeting_places(rings[k], crossing_edges(rings[k]))
-            found.append(Crossing(float(times[k]), int(k), places, in_layers(rings[k])))
+            found.append(Crossing(float(times[k]), int(k), places, in_layers(rings[k], frame)))
     return tuple(found)
 
 

@@ -51,9 +51,9 @@ class Report:
         In units of the shapes; the area is negative where a frame is turned inside out.
     area_deviations : (k,) array
         The area over the linear blend of the two areas, less 1.
-    length_deviation : float
-        The mean over the frames of how much edge lengths differ in sum from the linear blend of the
-        lengths, as a part of the sum of these.
+    length_deviations : (k,) array
+        How much edge lengths differ in sum from the linear blend of the lengths, as a part of the sum of
+        these.
     angle_deviation : float
         The mean over the frames of how much turning angles differ from the linear blend of the angles, in
         radians, weighted by the adjacent edges' lengths.
@@ -74,7 +74,7 @@ class Report:
     areas: Floats
     perimeters: Floats
     area_deviations: Floats
-    length_deviation: float
+    length_deviations: Floats
     angle_deviation: float
     negative_lengths: tuple[int, ...]
     roughness: float
@@ -121,6 +121,11 @@ class Report:
     def area_deviation(self) -> float:
         """The largest magnitude of the area deviations."""
         return float(np.abs(self.area_deviations).max())
+
+    @property
+    def length_deviation(self) -> float:
+        """The mean of the length deviations."""
+        return float(self.length_deviations.mean())
 
     def _frames(self, natural: bool) -> tuple[int, ...]:
         return tuple(
