@@ -24,9 +24,17 @@ _ORDERS = (
 _SCALE = 1.4
 """Pixels of the page for a point of a sheet: all sheets in one size of letters."""
 
-_FIGURES = (
-    "Method", "Area drift", "Length drift", "Angle drift", "Stretched", "Folded", "Roughness", "Verdict",
-)  # fmt: skip
+_FIGURES = {
+    "Area drift": "the largest deviation of the area from the linear blend of both areas",
+    "Length drift": "the mean deviation of edge lengths from their linear blend",
+    "Angle drift": "the mean deviation of turning angles from their linear blend",
+    "Stretched": "the mean conformal distortion of the star pieces' fans beyond what the pair demands",
+    "Spread": "the mean deviation of the areas of the fans' triangles from their linear blend",
+    "Folded": "the largest part of the fans, in any frame, that is turned over",
+    "Roughness": "how far a vertex strays at most from even motion within a fiftieth of the time,"
+    " as a part of the size",
+}
+"""What is told of each method, and what it means."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,6 +85,7 @@ def _header(exhibits: Sequence[Exhibit], methods: Sequence[str]) -> str:
         "harmful": "it is twisted or turned inside out",
     }
     legend = "; ".join(f"{_sign(kind)}{kind}: {text}" for kind, text in words.items())
+    meanings = "\n".join(f"<dt>{name}</dt><dd>{meaning}.</dd>" for name, meaning in _FIGURES.items())
     rows = [_summary_row(method, [exhibit.reports[method] for exhibit in exhibits]) for method in methods]
     return f"""<header>
 <h1>Blends side by side</h1>
@@ -84,6 +93,11 @@ def _header(exhibits: Sequence[Exhibit], methods: Sequence[str]) -> str:
 Crossing frames are outlined in red.</p>
 <p>{legend}. Proven: simple for every t, not only in the frames looked at.</p>
 {_table(("Method", "Simple", "Proven", "Natural", "Harmful", "Median area drift"), rows)}
+<details><summary>What the figures mean</summary>
+<dl>
+{meanings}
+</dl>
+</details>
 </header>"""
 
 
@@ -135,7 +149,7 @@ def _section(exhibit: Exhibit) -> str:
 <div class="sheet"><img src="{exhibit.name}.svg" width="{width:.0f}" height="{height:.0f}"
  loading="lazy" alt="{escape(f"{exhibit.title}, frames by each method. {words}")}"></div>
 <details><summary>All figures</summary>
-{_table(_FIGURES, rows)}
+{_table(("Method", *_FIGURES, "Verdict"), rows)}
 </details>
 </section>"""
 
@@ -148,6 +162,7 @@ def _figures(method: str, report: Report) -> list[str]:
         percent(report.length_deviation),
         f"{math.degrees(report.angle_deviation):.1f}°",
         percent(inside.stretch - 1) if inside else "-",
+        percent(inside.spread - 1) if inside else "-",
         percent(inside.folded) if inside else "-",
         f"{100 * report.roughness:.2f} %",
         f'<span class="{kind}">{_sign(kind)}{crossing_counts(report)}</span>',
