@@ -15,7 +15,6 @@ from starskel.sheet.comparison import Row, comparison_sheet
 from starskel.sheet.drawing import Drawing
 from starskel.sheet.keyframe import Shown, keyframes
 from starskel.sheet.rows import page_sheets, row_sheet
-from starskel.sheet.words import figures, verdict
 
 Layout = Literal["row", "frame", "pages", "sheet"]
 
@@ -95,6 +94,4 @@ def _drawings(name: str, choice: Choice, results: Sequence[Result]) -> Sequence[
 
 
 def _row(result: Result, times: list[float], shown: Shown) -> Row:
-    report = result.report
-    frames = keyframes(result.blend, times, shown)
-    return Row(result.method, report.simple, verdict(report), figures(report), frames)
+    return Row.of(result.method, result.report, keyframes(result.blend, times, shown))

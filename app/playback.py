@@ -2,7 +2,14 @@
 
 from dataclasses import dataclass, replace
 from enum import Enum
-from math import ceil
+from math import ceil, floor
+
+from app.model.easing import Easing
+
+EVEN = Easing()
+
+FRAMES = 100
+"""Steps from the source to the target; a blend is measured at their ends."""
 
 
 class Repeat(Enum):
@@ -32,6 +39,8 @@ class Playback:
         How many times faster than `duration` says.
     duration : float
         Seconds from t = 0 to t = 1 at speed 1.
+    easing : Easing
+        How t runs over a way; on the way back it runs in reverse.
     """
 
     phase: float = 0.0
@@ -39,6 +48,7 @@ class Playback:
     repeat: Repeat = Repeat.PING_PONG
     speed: float = 1.0
     duration: float = 3.0
+    easing: Easing = EVEN
 
     @property
     def playing(self) -> bool:
@@ -47,6 +57,10 @@ class Playback:
 
     def t(self, now: float) -> float:
         """Give t in [0, 1]."""
+        return self.easing.t(self._way(now))
+
+    def _way(self, now: float) -> float:
+        """Give the share of the way that time has gone, in [0, 1]."""
         phase = self._phase(now)
         if self.repeat is Repeat.ONCE:
             return min(phase, 1.0)
@@ -69,7 +83,7 @@ class Playback:
 
     def seek(self, t: float, now: float) -> "Playback":
         """Go to t; time runs on from there if it did."""
-        return replace(self, phase=t, since=now if self.playing else None)
+        return replace(self, phase=self.easing.time(t), since=now if self.playing else None)
 
     def at_speed(self, speed: float, now: float) -> "Playback":
         """Change the speed from now on."""
@@ -77,7 +91,18 @@ class Playback:
 
     def repeating(self, repeat: Repeat, now: float) -> "Playback":
         """Change what happens at the end; t stays."""
-        return replace(self, phase=self.t(now), since=now if self.playing else None, repeat=repeat)
+        return replace(self, phase=self._way(now), since=now if self.playing else None, repeat=repeat)
+
+    def eased(self, easing: Easing, now: float) -> "Playback":
+        """Change the easing; t stays."""
+        return replace(self, easing=easing).seek(self.t(now), now)
+
+    def step(self, frames: int, now: float) -> "Playback":
+        """Stop, and go on or back by so many of the frames that are measured, to one of them."""
+        at = self.t(now) * FRAMES
+        near = round(at)
+        whole = near if abs(at - near) < 1e-6 else (floor(at) if frames > 0 else ceil(at))
+        return replace(self, since=None).seek(min(max(whole + frames, 0), FRAMES) / FRAMES, now)
 
     def _phase(self, now: float) -> float:
         if self.since is None:

@@ -1,25 +1,47 @@
 """Session: the one object that owns what is edited, the tool in hand and the blends."""
 
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Signal, Slot
 
-from app.compute import Blends, MethodState, Result, Subject
-from app.model.document import Document
+from app.compute import Blends, MethodState, Result, Subject, Trace, trace_of
+from app.model.document import Document, lost_marks
 from app.model.history import History
-from app.model.marks import Side
+from app.model.marks import SIDES, Marks, Side
 from app.model.selection import Selection, everything
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.draw import DrawTool
+from app.tools.figure import EllipseTool, RectangleTool, RegularPolygonTool, StarTool
+from app.tools.freehand import FreehandTool
 from app.tools.mark import MarkTool
 from app.tools.select import SelectTool
+from app.tools.settings import Settings
+from app.tools.text import TextTool
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
 from starskel import METHODS
 from starskel.blending import COMPARED
+from starskel.errors import InvalidMarks
 from starskel.files.project import Project, read_project, write_project
 
-TOOLS: dict[str, type[Tool]] = {tool.name: tool for tool in (SelectTool, DrawTool, MarkTool)}
+TOOLS: dict[str, type[Tool]] = {
+    tool.name: tool
+    for tool in (
+        SelectTool,
+        DrawTool,
+        FreehandTool,
+        RectangleTool,
+        EllipseTool,
+        RegularPolygonTool,
+        StarTool,
+        TextTool,
+        MarkTool,
+    )
+}
+
+Pointed = tuple[Side, int]
 
 USUAL_METHODS = COMPARED
 """What is compared until the user chooses: every method."""
@@ -34,10 +56,16 @@ class Session(QObject):
         The selected vertices.
     tool : Tool
         The state of the tool in hand.
+    settings : Settings
+        What the user has set for the tools.
     refusal : Refusal or None
         The last edit that was not possible, until the next one is tried.
+    lost : int
+        How many marks the last edit of a shape took along, until the next one is begun.
     path : Path or None
         The project file, None before it has one.
+    pointed : (side, int) or None
+        The vertex that is pointed at, on a canvas or in the table of marks.
     """
 
     changed = Signal()
@@ -47,6 +75,9 @@ class Session(QObject):
     opened = Signal()
     """Another document is edited from now on."""
     tool_changed = Signal()
+    pointed_changed = Signal()
+    """Another vertex is pointed at, or its partner has moved."""
+    settings_changed = Signal()
     results_changed = Signal()
     progressed = Signal(str, float)
     busy_changed = Signal(bool)
@@ -57,12 +88,16 @@ class Session(QObject):
         self._saved = self.document
         self._blends = Blends(self)
         self._blends.changed.connect(self.results_changed)
+        self._blends.suggested.connect(self._take_marks)
         self._blends.progressed.connect(self.progressed)
         self._blends.busy_changed.connect(self.busy_changed)
         self.selection = Selection()
         self.tool: Tool = SelectTool()
+        self.settings = Settings()
         self.refusal: Refusal | None = None
+        self.lost = 0
         self.path: Path | None = None
+        self.pointed: Pointed | None = None
 
     @property
     def document(self) -> Document:
@@ -99,6 +134,14 @@ class Session(QObject):
         """The name of the edit that redo brings again."""
         return self._history.redoes
 
+    @property
+    def trace(self) -> Trace | None:
+        """What is known of the vertex pointed at: its partner, and its row in all blends."""
+        results = self.fresh_results
+        if self.pointed is None or not results:
+            return None
+        return trace_of(results[0].blend.pair, *self.pointed)
+
     def overlay(self, side: Side) -> Overlay:
         """Give what the tool shows on a canvas."""
         return self.tool.overlay(self._scene(), side)
@@ -106,6 +149,8 @@ class Session(QObject):
     # events from the canvases
 
     def press(self, pointer: Pointer) -> None:
+        if self.selection.side != pointer.side:
+            self.selection = Selection(pointer.side)  # what is worked on is where the user is at work
         self._answer(self.tool.press(self._scene(), pointer))
 
     def double_press(self, pointer: Pointer) -> None:
@@ -140,6 +185,20 @@ class Session(QObject):
         else:
             self.tool_changed.emit()  # the tool chosen is not the one in hand
 
+    def set(self, settings: Settings) -> None:
+        """Change settings of the tools; what was just made follows them."""
+        if settings == self.settings:
+            return
+        self.settings = settings
+        self.settings_changed.emit()
+        self._answer(self.tool.adjust(self._scene()))
+        self.changed.emit()
+
+    def edit(self, verb: Callable[[Scene], Response]) -> None:
+        """Do what a verb answers, after the gesture under way is finished."""
+        if self.finish():
+            self._answer(verb(self._scene()))
+
     def finish(self) -> bool:
         """End the gesture under way, so that what was drawn is kept; False where that is not possible."""
         if self.tool.busy:
@@ -148,10 +207,11 @@ class Session(QObject):
 
     def cancel(self) -> None:
         """Give up the nearest thing that can be given up: gesture, notice, computation, selection."""
-        if self.tool.busy:
+        if self.tool.busy or self.refusal is not None:
             self._answer(Response(self.tool.cancel()))
-        elif self.refusal is not None:
-            self._answer(Response(self.tool))
+        elif self.lost:
+            self.lost = 0
+            self.changed.emit()
         elif self.busy:
             self._blends.cancel()
         else:
@@ -170,6 +230,33 @@ class Session(QObject):
 
     def redo(self) -> None:
         self._travel(self._history.redo())
+
+    def point(self, side: Side, vertex: int | None) -> None:
+        """Point at a vertex, or at none."""
+        pointed = None if vertex is None else (side, vertex)
+        if pointed != self.pointed:
+            self.pointed = pointed
+            self.pointed_changed.emit()
+
+    def mark(self, source: int, target: int) -> bool:
+        """Add a mark; False where that is refused."""
+        return self._remark(
+            QT_TRANSLATE_NOOP("Step", "Set mark"), partial(self.document.mark, source, target)
+        )
+
+    def repin(self, index: int, side: Side, vertex: int) -> bool:
+        """Move one end of a mark; False where that is refused."""
+        moved = partial(self.document.repin, index, side, vertex)
+        return self._remark(QT_TRANSLATE_NOOP("Step", "Move mark"), moved)
+
+    def unmark(self, index: int) -> None:
+        """Remove a mark."""
+        self._remark(QT_TRANSLATE_NOOP("Step", "Remove mark"), partial(self.document.unmark, index))
+
+    def suggest_marks(self, count: int) -> None:
+        """Replace all marks by so many that suggest themselves, as soon as they are found."""
+        if self.finish():
+            self._blends.suggest(count)
 
     def compare(self, methods: tuple[str, ...]) -> None:
         """Choose the methods shown side by side."""
@@ -224,12 +311,30 @@ class Session(QObject):
 
     # how answers and documents come in
 
+    def _remark(self, name: str, verb: Callable[[], Document]) -> bool:
+        if not self.finish():
+            return False
+        try:
+            commit = Commit(verb(), name)
+        except InvalidMarks as error:
+            self._answer(Response(self.tool, refusal=Refusal("source", error, marks=error.marks)))
+            return False
+        self._answer(Response(self.tool, commit))
+        return True
+
+    @Slot(object)
+    def _take_marks(self, marks: Marks) -> None:
+        name = QT_TRANSLATE_NOOP("Step", "Suggest marks")
+        self._commit(Commit(self.document.remark(marks), name))
+
     def _scene(self) -> Scene:
-        return Scene(self.document, self.selection)
+        return Scene(self.document, self.selection, self.settings)
 
     def _answer(self, response: Response) -> None:
-        former = self.tool, self.refusal, self.selection
+        former = self.tool, self.refusal, self.selection, self.lost
         self.tool, self.refusal = response.tool, response.refusal
+        if self.refusal is not None or self.tool.busy:
+            self.lost = 0
         if response.selection is not None:
             self.selection = response.selection
         if response.commit is not None:
@@ -238,13 +343,23 @@ class Session(QObject):
             self._blend(self.document)  # the gesture was given up
         if type(former[0]) is not type(self.tool):
             self.tool_changed.emit()
-        if (self.tool, self.refusal, self.selection) != former:  # most moves of the pointer change nothing
+        if self.tool != former[0]:
+            self._point_by_tool()
+        now = self.tool, self.refusal, self.selection, self.lost
+        if now != former:  # most moves of the pointer change nothing
             self.changed.emit()
+
+    def _point_by_tool(self) -> None:
+        for side in SIDES:
+            if (vertex := self.overlay(side).vertex) is not None:
+                return self.point(side, vertex)
+        return self.point("source", None)
 
     def _commit(self, commit: Commit) -> None:
         if commit.document == self.document:
             self._blend(self.document)  # the gesture ended where it began
             return
+        self.lost = lost_marks(self.document, commit.document)
         self._history = self._history.push(commit.document, commit.name, commit.joins)
         self._refresh()
 
@@ -252,6 +367,7 @@ class Session(QObject):
         former = self.document
         self._history = history
         self.selection = self.selection.after(former, self.document)
+        self.lost = 0
         self.tool = TOOLS[self.tool.name]()
         self.refusal = None
         self._refresh()
@@ -259,7 +375,7 @@ class Session(QObject):
     def _start(self, document: Document, path: Path | None) -> None:
         self._history = History.of(document)
         self._saved, self.path = document, path
-        self.selection, self.refusal = Selection(), None
+        self.selection, self.refusal, self.lost = Selection(), None, 0
         self.tool = SelectTool() if document.source or document.target else DrawTool()
         self._blends.forget()
         self.tool_changed.emit()

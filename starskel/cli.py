@@ -21,6 +21,7 @@ examples:
   starskel blend shapes.json --id letter-C-S --at 0.5 -o middle.eps
   starskel blend drawing.json --frames 25 -o flipbook.ps
   starskel compare drawing.json -o sheet.svg
+  starskel gallery -o gallery drawing.json shapes.json
   starskel measure shapes.json --json > figures.json
 """
 
@@ -59,6 +60,7 @@ def _parser() -> argparse.ArgumentParser:
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="VERB")
     _add_blend(verbs.add_parser("blend", help="write the keyframes of one method"))
     _add_compare(verbs.add_parser("compare", help="write a sheet of all methods, a row each"))
+    _add_gallery(verbs.add_parser("gallery", help="write a page of many pairs, all methods side by side"))
     _add_measure(verbs.add_parser("measure", help="print what is measured of every pair and method"))
     return parser
 
@@ -80,6 +82,18 @@ def _add_compare(parser: argparse.ArgumentParser) -> None:
     _add_methods(parser)
     _add_times(parser)
     _add_output(parser, ".svg, .eps or .ps")
+
+
+def _add_gallery(parser: argparse.ArgumentParser) -> None:
+    parser.description = "Write a page, index.html, and a sheet for each pair with all methods."
+    parser.add_argument(
+        "files", type=Path, nargs="*", metavar="FILE", help=f"{_FILE}; without any, the program's examples"
+    )
+    parser.add_argument(
+        "-o", "--output", type=Path, required=True, metavar="DIR", help="the folder to write into"
+    )
+    _add_methods(parser)
+    _add_times(parser, 7)
 
 
 def _add_measure(parser: argparse.ArgumentParser) -> None:
@@ -104,11 +118,10 @@ def _add_methods(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _add_times(parser: argparse.ArgumentParser) -> None:
+def _add_times(parser: argparse.ArgumentParser, count: int = 6) -> None:
     times = parser.add_mutually_exclusive_group()
-    times.add_argument(
-        "--frames", type=_frame_count, default=6, metavar="N", help="frames, evenly from t = 0 to 1 (6)"
-    )
+    words = f"frames, evenly from t = 0 to 1 ({count})"
+    times.add_argument("--frames", type=_frame_count, default=count, metavar="N", help=words)
     times.add_argument("--at", type=_time, nargs="+", metavar="T", help="frames at these times instead")
 
 

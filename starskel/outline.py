@@ -33,8 +33,9 @@ def turning_angles(rings: Floats) -> Floats:
 
 def signed_areas(rings: Floats) -> Floats:
     """Give the (...) areas of the rings, negative where they run clockwise."""
-    x, y = np.moveaxis(rings - rings[..., :1, :], -1, 0)
-    return np.asarray(0.5 * (x * np.roll(y, -1, axis=-1) - y * np.roll(x, -1, axis=-1)).sum(axis=-1))
+    spokes = rings[..., 1:, :] - rings[..., :1, :]
+    x, y = spokes[..., 0], spokes[..., 1]
+    return np.asarray(0.5 * (x[..., :-1] * y[..., 1:] - y[..., :-1] * x[..., 1:]).sum(axis=-1))
 
 
 def cross_themselves(rings: Floats) -> Flags:

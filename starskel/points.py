@@ -94,7 +94,8 @@ class Points:
     def _by_ends(self, i: Indices, j: Indices, k: Indices) -> Signs:
         """Decide from the turns of the chords' ends: a determinant is a positive mean of theirs."""
         ends = [(self.start[p], self.end[p]) for p in (i, j, k)]
-        turns = np.stack([self._turn_of_ends(*chosen) for chosen in product(*ends)])
+        chosen = np.stack([np.stack(corners) for corners in product(*ends)], axis=1)
+        turns = self._turn_of_ends(*chosen.reshape(3, -1)).reshape(8, -1)
         low, high = turns.min(axis=0), turns.max(axis=0)
         signs: Signs = np.where(low >= 0, high, low)
         for p in np.flatnonzero((low < 0) & (high > 0)):

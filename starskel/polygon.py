@@ -7,6 +7,7 @@ import shapely
 from numpy.typing import ArrayLike, NDArray
 
 from starskel.errors import InvalidPolygon
+from starskel.outline import signed_areas
 from starskel.predicates import LARGEST, ROUNDING, Floats, folds_back, segments_meet
 
 CLEARANCE = 4
@@ -40,7 +41,7 @@ class Polygon:
         _check_simple(given)
         _check_clearance(given)
         order = np.arange(len(given))
-        if signed_area(given) < 0:
+        if signed_areas(given) < 0:
             order = -order % len(given)
         self._order = order
         self.vertices: Floats = given[order]
@@ -61,17 +62,11 @@ class Polygon:
     @cached_property
     def area(self) -> float:
         """The area, positive, in square units."""
-        return signed_area(self.vertices)
+        return float(signed_areas(self.vertices))
 
     def vertex_of(self, given: int) -> int:
         """Give the index in `vertices` of the point that was given at index `given`."""
         return int(self._order[given])  # turning round is its own inverse
-
-
-def signed_area(ring: Floats) -> float:
-    """Give the area of an (n, 2) ring, negative where it runs clockwise."""
-    x, y = (ring - ring[0]).T
-    return float(0.5 * (np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))))
 
 
 def crossing_edges(ring: Floats) -> NDArray[np.intp]:
@@ -91,6 +86,15 @@ def crossing_edges(ring: Floats) -> NDArray[np.intp]:
     folded = np.sort(np.stack([(spikes - 1) % n, spikes], axis=1), axis=1)
     pairs: NDArray[np.intp] = np.concatenate([folded, np.stack([i[meet], j[meet]], axis=1)])
     return pairs[np.lexsort(pairs.T[::-1])]
+
+
+def meeting_places(ring: Floats, pairs: NDArray[np.intp]) -> Floats:
+    """Give where each of the (k, 2) pairs of edges meet, as (k, 2) points; of a common stretch its middle."""
+    edges = shapely.linestrings(np.stack([ring, np.roll(ring, -1, axis=0)], axis=1)[pairs])
+    shared = shapely.intersection(edges[:, 0], edges[:, 1])
+    places: Floats = ring[pairs[:, 1]]  # for those that meet, but not at a point that floats can name
+    places[~shapely.is_empty(shared)] = shapely.get_coordinates(shapely.centroid(shared))
+    return places
 
 
 def _as_rows(points: ArrayLike | shapely.Geometry | Polygon) -> Floats:
@@ -151,9 +155,9 @@ def _check_simple(rows: Floats) -> None:
         return
     n = len(rows)
     i, j = (int(k) for k in pairs[0])
-    if len(pairs) >= n - 1 and not np.abs(signed_area(rows)) > 0:
+    if len(pairs) >= n - 1 and not np.abs(signed_areas(rows)) > 0:
         raise InvalidPolygon("all vertices lie on one line: the area is zero", "move a vertex off the line")
-    place = _meeting_place(rows[[i, (i + 1) % n]], rows[[j, (j + 1) % n]])
+    place = _place(meeting_places(rows, pairs[:1])[0])
     raise InvalidPolygon(
         f"edges {i}-{(i + 1) % n} and {j}-{(j + 1) % n} cross or touch at ({place[0]:g}, {place[1]:g})",
         "move or remove one of these vertices",
@@ -177,13 +181,6 @@ def _check_clearance(rows: Floats) -> None:
             vertices=(i, j, (j + 1) % n),
             place=_place(rows[i]),
         )
-
-
-def _meeting_place(first: Floats, second: Floats) -> tuple[float, float]:
-    shared = shapely.linestrings(first).intersection(shapely.linestrings(second))
-    if shared.is_empty:  # they meet exactly, but not at a point that floats can name
-        return _place(second[0])
-    return _place(shapely.get_coordinates(shared).mean(axis=0))
 
 
 def _place(point: Floats) -> tuple[float, float]:

@@ -125,3 +125,50 @@ def turned(ring: Floats, angle: float) -> Floats:
     """The ring turned round the coordinates' origin."""
     c, s = np.cos(angle), np.sin(angle)
     return ring @ np.array([[c, s], [-s, c]])
+
+
+def articulated(seed: int, spread: float = 1.0) -> tuple[Floats, Floats]:
+    """A body with three to five limbs of two joints, in two poses, vertex i on vertex i."""
+    rng = np.random.default_rng([seed, 91])
+    while True:
+        sides = int(rng.integers(5, 9))
+        angles = np.linspace(0, 2 * np.pi, sides, endpoint=False) + rng.normal(0, 0.1, sides)
+        body = np.stack([np.cos(angles), 1.2 * np.sin(angles)], axis=1)
+        limbs = rng.choice(sides, size=int(rng.integers(3, 6)), replace=False).tolist()
+        sizes = rng.uniform([0.8, 0.7, 0.4], [2.0, 1.8, 1.0], (len(limbs), 3))
+        pose = spread * rng.normal(0, [0.3, 0.4], (len(limbs), 2))
+        other = pose + spread * rng.normal(0, [0.5, 0.7], (len(limbs), 2))
+        rings = [
+            _posed(body, dict(zip(limbs, zip(sizes, p, strict=True), strict=True))) for p in (pose, other)
+        ]
+        if not any(len(crossing_edges(ring)) for ring in rings):
+            return rings[0], rings[1]
+
+
+def _posed(body: Floats, limbs: dict[int, tuple[Floats, Floats]]) -> Floats:
+    parts = []
+    for side, (start, end) in enumerate(zip(body, np.roll(body, -1, axis=0), strict=True)):
+        parts.append(start[None])
+        if side in limbs:
+            parts.append(_limb(0.8 * start + 0.2 * end, 0.2 * start + 0.8 * end, *limbs[side]))
+    return np.concatenate(parts)
+
+
+def _limb(right: Floats, left: Floats, size: Floats, bends: Floats) -> Floats:
+    """The outline of a limb of two parts on a side of the body, by their lengths, its taper and its bends."""
+    x, y = left - right
+    upper = np.arctan2(y, x) - np.pi / 2 + bends[0]
+    lower, half = upper + bends[1], np.hypot(x, y) / 2
+    joint = (right + left) / 2 + size[0] * _direction(upper)
+    tip = joint + size[1] * _direction(lower)
+    aside = _direction((upper + lower) / 2 - np.pi / 2) / np.cos(bends[1] / 2) * half * (1 + size[2]) / 2
+    round_tip = tip + size[2] * half * _direction(lower + np.linspace(-np.pi / 2, np.pi / 2, 4))
+    ways = [
+        (right, (right + joint + aside) / 2, joint + aside, (joint + aside + round_tip[0]) / 2),
+        ((joint - aside + round_tip[-1]) / 2, joint - aside, (left + joint - aside) / 2, left),
+    ]
+    return np.concatenate([ways[0], round_tip, ways[1]])
+
+
+def _direction(angles: Floats) -> Floats:
+    return np.stack([np.cos(angles), np.sin(angles)], axis=-1)

@@ -3,5 +3,16 @@
 from app.compute.blends import Blends
 from app.compute.computer import Computer
 from app.compute.request import Failure, MethodState, Request, Result, Subject
+from app.compute.trace import Trace, trace_of
 
-__all__ = ["Blends", "Computer", "Failure", "MethodState", "Request", "Result", "Subject"]
+__all__ = [
+    "Blends",
+    "Computer",
+    "Failure",
+    "MethodState",
+    "Request",
+    "Result",
+    "Subject",
+    "Trace",
+    "trace_of",
+]

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QObject, Signal, Slot
 
 from app.compute.computer import Computer
-from app.compute.request import Failure, MethodState, Request, Result, Subject
+from app.compute.request import Failure, MethodState, Proposal, Request, Result, Subject
 from starskel import METHODS
 
 REMEMBERED = 40
@@ -26,6 +26,8 @@ class Blends(QObject):
     changed = Signal()
     progressed = Signal(str, float)
     busy_changed = Signal(bool)
+    suggested = Signal(object)
+    """Marks that were asked for."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -34,6 +36,7 @@ class Blends(QObject):
         self._memory: dict[tuple[str, Subject], Result] = {}
         self._computer = Computer(self)
         self._computer.delivered.connect(self._take)
+        self._computer.suggested.connect(self.suggested)
         self._computer.progressed.connect(self.progressed)
         self._computer.busy_changed.connect(self.busy_changed)
 
@@ -67,6 +70,11 @@ class Blends(QObject):
             elif not same:
                 self._computer.cancel()
         self.changed.emit()
+
+    def suggest(self, count: int) -> None:
+        """Ask for so many marks of what is blended."""
+        if self._subject is not None:
+            self._computer.suggest(Proposal(self._subject.source, self._subject.target, count))
 
     def recompute(self) -> None:
         """Compute all of them anew."""

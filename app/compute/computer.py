@@ -14,7 +14,9 @@ from time import monotonic
 from PySide6.QtCore import QObject, QThread, Signal, Slot
 
 from app.compute.job import Job
-from app.compute.request import Failure, Request, Result
+from app.compute.request import Failure, Proposal, Request, Result
+from app.model.marks import Marks
+from starskel import suggest_marks
 from starskel.errors import Cancelled
 
 PATIENCE = 0.05
@@ -28,6 +30,7 @@ class Worker(QObject):
     progressed = Signal(int, str, float)
     finished = Signal(int, object)
     """A generation, and the methods that gave way to a newer request."""
+    suggested = Signal(int, object)
 
     def __init__(self) -> None:
         super().__init__()
@@ -54,6 +57,17 @@ class Worker(QObject):
             return
         self.finished.emit(request.generation, tuple(left))
 
+    @Slot(object)
+    def suggest(self, proposal: Proposal) -> None:
+        def is_old() -> bool:
+            return self.newest != proposal.generation
+
+        try:
+            marks = suggest_marks(proposal.source, proposal.target, proposal.count, should_stop=is_old)
+        except Cancelled:
+            return
+        self.suggested.emit(proposal.generation, tuple(marks))
+
 
 class Computer(QObject):
     """The window's end of the worker: sends requests, passes on what still matters."""
@@ -61,7 +75,9 @@ class Computer(QObject):
     delivered = Signal(object)
     progressed = Signal(str, float)
     busy_changed = Signal(bool)
+    suggested = Signal(object)
     _requested = Signal(object)
+    _proposed = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -72,6 +88,8 @@ class Computer(QObject):
         self._thread = QThread(self)
         self._worker.moveToThread(self._thread)
         self._requested.connect(self._worker.work)
+        self._proposed.connect(self._worker.suggest)
+        self._worker.suggested.connect(self._suggest)
         self._worker.delivered.connect(self._deliver)
         self._worker.progressed.connect(self._progress)
         self._worker.finished.connect(self._finish)
@@ -89,6 +107,12 @@ class Computer(QObject):
             self._worker.hurried = True
         else:
             self._send(request)
+
+    def suggest(self, proposal: Proposal) -> None:
+        """Suggest marks instead of computing blends."""
+        self.cancel()
+        self._set_busy(True)
+        self._proposed.emit(replace(proposal, generation=self._worker.newest))
 
     def cancel(self) -> None:
         """Stop computing; nothing more is delivered."""
@@ -116,6 +140,12 @@ class Computer(QObject):
     def _deliver(self, generation: int, outcome: Result | Failure) -> None:
         if generation == self._worker.newest:
             self.delivered.emit(outcome)
+
+    @Slot(int, object)
+    def _suggest(self, generation: int, marks: Marks) -> None:
+        if generation == self._worker.newest:
+            self._rest()
+            self.suggested.emit(marks)
 
     @Slot(int, str, float)
     def _progress(self, generation: int, method: str, fraction: float) -> None:

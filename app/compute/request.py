@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from app.model.marks import Marks
 from starskel import Blend, Report
 from starskel.polygon import Polygon
@@ -47,6 +49,16 @@ class Request:
     generation: int = 0
 
 
+@dataclass(frozen=True)
+class Proposal:
+    """A wish for suggested marks, at most so many."""
+
+    source: Polygon
+    target: Polygon
+    count: int
+    generation: int = 0
+
+
 @dataclass(frozen=True, eq=False)
 class Result:
     """A blend and what was measured of it.
@@ -56,14 +68,19 @@ class Result:
     method : str
     blend : Blend
     report : Report
-    box : (2, 2) array
-        The lower left and the upper right corner of all frames.
+    samples : (k, n, 2) array
+        Frames evenly spread over [0, 1].
     """
 
     method: str
     blend: Blend
     report: Report
-    box: Floats
+    samples: Floats
+
+    @property
+    def box(self) -> Floats:
+        """The lower left and the upper right corner of all frames, (2, 2)."""
+        return np.array([self.samples.min(axis=(0, 1)), self.samples.max(axis=(0, 1))])
 
 
 @dataclass(frozen=True, eq=False)

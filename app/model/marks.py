@@ -31,6 +31,19 @@ def mark_at(marks: Marks, side: Side, vertex: int) -> int | None:
     return next((k for k, mark in enumerate(marks) if end(mark, side) == vertex), None)
 
 
+def witness(marks: Marks, first: Mark, second: Mark) -> Mark | None:
+    """Give a third mark which shows that two come in different orders round the two shapes."""
+    others = (mark for mark in marks if mark not in (first, second))
+    return next(
+        (mark for mark in others if _turns(mark, first, second, 0) != _turns(mark, first, second, 1)), None
+    )
+
+
+def _turns(a: Mark, b: Mark, c: Mark, side: int) -> bool:
+    """Tell whether three marks follow each other in this order, counter-clockwise."""
+    return (a[side] < b[side]) + (b[side] < c[side]) + (c[side] < a[side]) == 2
+
+
 def after_insertion(marks: Marks, side: Side, vertex: int) -> Marks:
     """Give the marks after a new vertex took this index."""
     ends = (end(mark, side) for mark in marks)

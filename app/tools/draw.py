@@ -6,25 +6,13 @@ from typing import ClassVar
 import numpy as np
 
 from app.model.document import Point
-from app.model.marks import Side, other
-from app.model.selection import Selection
+from app.model.marks import Side
 from app.model.texts import QT_TRANSLATE_NOOP
+from app.tools.outcome import drawn
 from app.tools.pick import distance
-from app.tools.select import SelectTool
-from app.tools.tool import (
-    Commit,
-    Key,
-    Overlay,
-    Pointer,
-    Refusal,
-    Response,
-    Scene,
-    Segment,
-    Tool,
-    refused_ring,
-)
+from app.tools.snapping import begun_at, caught, ground_for_drawing
+from app.tools.tool import Catch, Key, Overlay, Pointer, Refusal, Response, Scene, Segment, Tool
 from starskel.errors import InvalidPolygon
-from starskel.polygon import Polygon
 from starskel.predicates import Floats, folds_back, segments_meet
 
 
@@ -32,13 +20,23 @@ from starskel.predicates import Floats, folds_back, segments_meet
 class DrawTool(Tool):
     """Ready to begin a polygon."""
 
+    side: Side = "source"
+    catch: Catch | None = None
+
     name: ClassVar[str] = "draw"
     hint: ClassVar[str] = QT_TRANSLATE_NOOP(
         "Hint", "Click to set the first vertex; the new shape replaces the one on its canvas."
     )
 
     def press(self, scene: Scene, pointer: Pointer) -> Response:
-        return Response(Drawing(pointer.side, (pointer.at,), pointer.at))
+        at = begun_at(scene, pointer).at
+        return Response(Drawing(pointer.side, (at,), Catch(at)))
+
+    def move(self, scene: Scene, pointer: Pointer) -> Response:
+        return Response(DrawTool(pointer.side, begun_at(scene, pointer)))
+
+    def overlay(self, scene: Scene, side: Side) -> Overlay:
+        return Overlay(catch=self.catch) if side == self.side else Overlay()
 
 
 @dataclass(frozen=True)
@@ -51,7 +49,7 @@ class Drawing(Tool):
         The canvas.
     points : tuple of points
         The vertices set so far; their path does not touch itself.
-    at : (float, float)
+    catch : Catch
         Where the next vertex would be.
     closes : bool
         Whether the pointer is on the first vertex.
@@ -59,7 +57,7 @@ class Drawing(Tool):
 
     side: Side
     points: tuple[Point, ...]
-    at: Point
+    catch: Catch
     closes: bool = False
 
     name: ClassVar[str] = "draw"
@@ -69,10 +67,15 @@ class Drawing(Tool):
     )
     busy: ClassVar[bool] = True
 
+    @property
+    def at(self) -> Point:
+        """Where the next vertex would be."""
+        return self.catch.at
+
     def press(self, scene: Scene, pointer: Pointer) -> Response:
         if pointer.side != self.side:
             return Response(self)
-        state = self._aimed(pointer)
+        state = self._aimed(scene, pointer)
         if state.closes:
             return state._close(scene)
         if distance(self.points[-1], state.at) <= pointer.radius / 2:
@@ -85,7 +88,7 @@ class Drawing(Tool):
     def move(self, scene: Scene, pointer: Pointer) -> Response:
         if pointer.side != self.side:
             return Response(self)
-        state = self._aimed(pointer)
+        state = self._aimed(scene, pointer)
         return Response(state, refusal=state._refusal())
 
     def key(self, scene: Scene, key: Key) -> Response:
@@ -106,12 +109,15 @@ class Drawing(Tool):
     def overlay(self, scene: Scene, side: Side) -> Overlay:
         if side != self.side:
             return Overlay()
-        return Overlay(path=(*self.points, self.at), closes=self.closes)
+        return Overlay(path=(*self.points, self.at), closes=self.closes, catch=self.catch)
 
-    def _aimed(self, pointer: Pointer) -> "Drawing":
+    def _aimed(self, scene: Scene, pointer: Pointer) -> "Drawing":
         """Follow the pointer, caught by the first vertex where that would close a polygon."""
         closes = len(self.points) >= 3 and distance(self.points[0], pointer.at) <= pointer.radius
-        return replace(self, at=self.points[0] if closes else pointer.at, closes=closes)
+        if closes:
+            return replace(self, catch=Catch(self.points[0]), closes=True)
+        ground = ground_for_drawing(scene.document, self.side, self.points)
+        return replace(self, catch=caught(pointer, scene.settings.snapping, ground), closes=False)
 
     def _refusal(self) -> Refusal | None:
         path = np.array(self.points)
@@ -132,14 +138,8 @@ class Drawing(Tool):
 
     def _close(self, scene: Scene) -> Response:
         ring = np.array(self.points)
-        try:
-            polygon = Polygon(ring)
-        except InvalidPolygon as error:
-            return Response(self, refusal=refused_ring(self.side, ring, error))
-        commit = Commit(scene.document.draw(self.side, polygon), QT_TRANSLATE_NOOP("Step", "Draw shape"))
-        # with both shapes there a stray click should not begin to replace one
-        one_is_missing = scene.document.polygon(other(self.side)) is None
-        return Response(DrawTool() if one_is_missing else SelectTool(), commit, Selection(self.side))
+        response = drawn(scene, self.side, ring, DrawTool(), QT_TRANSLATE_NOOP("Step", "Draw shape"))
+        return response if response.refusal is None else replace(response, tool=self)
 
 
 def crossed_edges(path: Floats, at: Point) -> list[int]:

@@ -21,7 +21,8 @@ class MarkTool(Tool):
     name: ClassVar[str] = "mark"
     hint: ClassVar[str] = QT_TRANSLATE_NOOP(
         "Hint",
-        "Click a vertex, then its partner on the other canvas. Click a pin to remove it, drag it to move it.",
+        "Click a vertex, then its partner on the other canvas, or drag from one to the other. "
+        "Click a pin to remove it, drag it to move it.",
     )
 
     def press(self, scene: Scene, pointer: Pointer) -> Response:
@@ -44,15 +45,31 @@ class MarkTool(Tool):
 
 @dataclass(frozen=True)
 class MarkBegun(Tool):
-    """One vertex chosen; its partner on the other canvas is wanted."""
+    """One vertex chosen; its partner on the other canvas is wanted.
+
+    Attributes
+    ----------
+    side : {"source", "target"}
+        The canvas of the vertex.
+    vertex : int
+        The vertex.
+    pointer : Pointer or None
+        Where the pointer is, on either canvas.
+    over : int or None
+        The vertex under it.
+    refusal : Refusal or None
+        Why the partner last chosen cannot be one; shown until the pointer is on another vertex.
+    """
 
     side: Side
     vertex: int
-    hover: tuple[Side, int | None] = ("source", None)
+    pointer: Pointer | None = None
+    over: int | None = None
+    refusal: Refusal | None = None
 
     name: ClassVar[str] = "mark"
     hint: ClassVar[str] = QT_TRANSLATE_NOOP(
-        "Hint", "Click the vertex that corresponds on the other canvas; Esc cancels."
+        "Hint", "Click the vertex that corresponds on the other canvas, or drag there; Esc cancels."
     )
     busy: ClassVar[bool] = True
 
@@ -62,17 +79,22 @@ class MarkBegun(Tool):
             return Response(self)
         if pointer.side == self.side:
             return MarkTool().press(scene, pointer)
-        pair = (self.vertex, vertex) if self.side == "source" else (vertex, self.vertex)
-        try:
-            document = scene.document.mark(*pair)
-        except InvalidMarks as error:
-            return Response(self, refusal=Refusal(pointer.side, error, marks=(*error.marks, pair)))
-        return Response(
-            MarkTool(pointer.side, vertex), Commit(document, QT_TRANSLATE_NOOP("Step", "Set mark"))
-        )
+        return self._set(scene, pointer, vertex)
 
     def move(self, scene: Scene, pointer: Pointer) -> Response:
-        return Response(replace(self, hover=(pointer.side, vertex_at(scene.document, pointer))))
+        there = pointer.across or pointer
+        over = vertex_at(scene.document, there)
+        if over is None:
+            return Response(replace(self, pointer=there, over=None), refusal=self.refusal)
+        tried = self._set(scene, there, over) if there.side != self.side else Response(self)
+        return Response(replace(self, pointer=there, over=over, refusal=tried.refusal), refusal=tried.refusal)
+
+    def release(self, scene: Scene, pointer: Pointer) -> Response:
+        """Set the mark where the vertex was dragged onto its partner; else a click is still to come."""
+        vertex = vertex_at(scene.document, pointer.across) if pointer.across is not None else None
+        if pointer.across is None or vertex is None:
+            return Response(self)
+        return self._set(scene, pointer.across, vertex)
 
     def key(self, scene: Scene, key: Key) -> Response:
         return Response(MarkTool() if key.name in ("backspace", "delete") else self)
@@ -81,18 +103,47 @@ class MarkBegun(Tool):
         return MarkTool()
 
     def overlay(self, scene: Scene, side: Side) -> Overlay:
-        hovered = self.hover[1] if self.hover[0] == side else None
-        number = len(scene.document.marks)
-        return Overlay(vertex=hovered, pin=(self.vertex, number) if side == self.side else None)
+        here = self.pointer is not None and self.pointer.side == side
+        return Overlay(
+            vertex=self.over if here else None,
+            pin=(self.vertex, len(scene.document.marks)) if side == self.side else None,
+            line=self.pointer.at if self.pointer is not None and here else None,
+        )
+
+    def _set(self, scene: Scene, pointer: Pointer, vertex: int) -> Response:
+        pair = (self.vertex, vertex) if self.side == "source" else (vertex, self.vertex)
+        try:
+            document = scene.document.mark(*pair)
+        except InvalidMarks as error:
+            refusal = Refusal(pointer.side, error, marks=(*error.marks, pair))
+            return Response(replace(self, refusal=refusal), refusal=refusal)
+        return Response(
+            MarkTool(pointer.side, vertex), Commit(document, QT_TRANSLATE_NOOP("Step", "Set mark"))
+        )
 
 
 @dataclass(frozen=True)
 class HoldingPin(Tool):
-    """A pin pressed: released at once it is removed, dragged to another vertex it moves there."""
+    """A pin pressed: released at once it is removed, dragged to another vertex it moves there.
+
+    Dragged to the other canvas, it is the mark's end there that moves.
+
+    Attributes
+    ----------
+    start : Pointer
+        Where it was pressed.
+    index : int
+        The mark.
+    dragged : bool
+        Whether it has left the place.
+    side, vertex : {"source", "target"} and int or None
+        The canvas and the vertex that it is on now.
+    """
 
     start: Pointer
     index: int
     dragged: bool = False
+    side: Side = "source"
     vertex: int | None = None
 
     name: ClassVar[str] = "mark"
@@ -104,29 +155,34 @@ class HoldingPin(Tool):
     def move(self, scene: Scene, pointer: Pointer) -> Response:
         if not self.dragged and distance(pointer.at, self.start.at) <= pointer.radius:
             return Response(self)
-        return Response(replace(self, dragged=True, vertex=vertex_at(scene.document, pointer)))
+        there = pointer.across or pointer
+        held = replace(self, dragged=True, side=there.side, vertex=vertex_at(scene.document, there))
+        return Response(held, refusal=held._moved(scene).refusal)
 
     def preview(self, scene: Scene, pointer: Pointer) -> Document | None:
         return super().preview(scene, pointer) if self.dragged else None
 
     def release(self, scene: Scene, pointer: Pointer) -> Response:
-        side, document = self.start.side, scene.document
-        if not self.dragged:
-            return Response(
-                MarkTool(side), Commit(document.unmark(self.index), QT_TRANSLATE_NOOP("Step", "Remove mark"))
-            )
-        if self.vertex is None or self.vertex == end(document.marks[self.index], side):
-            return Response(MarkTool(side))
-        try:
-            moved = document.repin(self.index, side, self.vertex)
-        except InvalidMarks as error:
-            return Response(MarkTool(side), refusal=Refusal(side, error, marks=error.marks))
-        return Response(MarkTool(side, self.vertex), Commit(moved, QT_TRANSLATE_NOOP("Step", "Move mark")))
+        if self.dragged:
+            return self._moved(scene)
+        removed = scene.document.unmark(self.index)
+        return Response(MarkTool(self.start.side), Commit(removed, QT_TRANSLATE_NOOP("Step", "Remove mark")))
 
     def cancel(self) -> Tool:
         return MarkTool(self.start.side)
 
     def overlay(self, scene: Scene, side: Side) -> Overlay:
-        if side != self.start.side or self.vertex is None:
+        if side != self.side or self.vertex is None:
             return Overlay()
         return Overlay(vertex=self.vertex, pin=(self.vertex, self.index))
+
+    def _moved(self, scene: Scene) -> Response:
+        marks = scene.document.marks
+        if self.vertex is None or self.vertex == end(marks[self.index], self.side):
+            return Response(self.cancel())
+        try:
+            moved = scene.document.repin(self.index, self.side, self.vertex)
+        except InvalidMarks as error:
+            return Response(self.cancel(), refusal=Refusal(self.side, error, marks=error.marks))
+        tool = MarkTool(self.side, self.vertex)
+        return Response(tool, Commit(moved, QT_TRANSLATE_NOOP("Step", "Move mark")))

@@ -1,6 +1,7 @@
 """What lies under the pointer."""
 
 import numpy as np
+import shapely
 
 from app.model.document import Document, Point
 from app.tools.tool import Pointer, as_point
@@ -22,7 +23,7 @@ def edge_at(document: Document, pointer: Pointer) -> tuple[int, Point] | None:
     starts = document.vertices(pointer.side)
     if not len(starts):
         return None
-    places = _nearest_on(starts, np.roll(starts, -1, axis=0), np.array(pointer.at))
+    places = nearest_on(starts, np.roll(starts, -1, axis=0), np.array(pointer.at))
     distances = np.linalg.norm(places - pointer.at, axis=1)
     nearest = int(distances.argmin())
     return (nearest, as_point(places[nearest])) if distances[nearest] <= pointer.radius else None
@@ -36,12 +37,26 @@ def vertices_in(document: Document, pointer: Pointer, corner: Point) -> frozense
     return frozenset(np.flatnonzero(inside).tolist())
 
 
+def nearest_vertex(document: Document, pointer: Pointer, among: frozenset[int]) -> int:
+    """Give the nearest of some vertices, however far."""
+    vertices = sorted(among)
+    away = document.vertices(pointer.side)[vertices] - pointer.at
+    return vertices[int(np.hypot(*away.T).argmin())]
+
+
+def inside(document: Document, pointer: Pointer) -> bool:
+    """Tell whether the pointer is inside the shape."""
+    polygon = document.polygon(pointer.side)
+    return polygon is not None and bool(shapely.contains_xy(shapely.Polygon(polygon.vertices), *pointer.at))
+
+
 def distance(a: Point, b: Point) -> float:
     """Give the distance between two points."""
     return float(np.hypot(a[0] - b[0], a[1] - b[1]))
 
 
-def _nearest_on(starts: Floats, ends: Floats, at: Floats) -> Floats:
+def nearest_on(starts: Floats, ends: Floats, at: Floats) -> Floats:
+    """Give the nearest place on each segment, (k, 2)."""
     along = ends - starts
     share = ((at - starts) * along).sum(axis=1) / (along**2).sum(axis=1)
     places: Floats = starts + np.clip(share, 0, 1)[:, None] * along

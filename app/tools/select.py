@@ -1,17 +1,21 @@
 """Select, move, insert and delete vertices."""
 
 from dataclasses import dataclass, replace
+from math import radians
 from typing import ClassVar
 
-import numpy as np
-
+from app.model import transforms
 from app.model.document import Point
 from app.model.marks import Side
-from app.model.selection import Selection
+from app.model.selection import Selection, everything
 from app.model.texts import QT_TRANSLATE_NOOP
-from app.tools.pick import distance, edge_at, vertex_at, vertices_in
+from app.model.transforms import Box, box_of
+from app.tools.handles import handle_at, in_frame
+from app.tools.moving import Dragging, Transforming, placed
+from app.tools.pick import distance, edge_at, inside, nearest_vertex, vertex_at, vertices_in
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool, refused_ring
 from starskel.errors import StarskelError
+from starskel.predicates import Floats
 
 ARROWS: dict[str, Point] = {"left": (-1, 0), "right": (1, 0), "up": (0, 1), "down": (0, -1)}
 
@@ -23,30 +27,40 @@ class SelectTool(Tool):
     side: Side = "source"
     vertex: int | None = None
     insertion: Point | None = None
+    handle: str = ""
 
     name: ClassVar[str] = "select"
     hint: ClassVar[str] = QT_TRANSLATE_NOOP(
         "Hint",
-        "Drag a vertex to move it; double-click an edge to insert one. "
-        "Shift adds to the selection; Delete removes; arrow keys nudge.",
+        "Drag vertices or edges, click the shape to select it whole, double-click an edge to insert. "
+        "Shift adds; arrow keys move, with Alt they turn and scale.",
     )
 
     def press(self, scene: Scene, pointer: Pointer) -> Response:
+        side, idle = pointer.side, SelectTool(pointer.side)
+        selected = scene.selection.on(side)
         vertex = vertex_at(scene.document, pointer)
-        if vertex is None:
-            kept = scene.selection if pointer.shift else Selection(pointer.side)
-            return Response(RubberBand(pointer, pointer, kept), selection=kept)
-        if pointer.shift:
-            return Response(self, selection=scene.selection.toggle(pointer.side, vertex))
-        selected = scene.selection.on(pointer.side)
-        if vertex not in selected:
-            selected = frozenset([vertex])
-        return Response(Dragging(pointer, vertex, selected), selection=Selection(pointer.side, selected))
+        if vertex is not None:
+            return self._take_vertex(scene, pointer, vertex)
+        box = frame_of(scene, side)
+        if box is not None and not pointer.shift:
+            if handle := handle_at(box, pointer):
+                return Response(Transforming(idle, pointer, handle, selected, box, pointer))
+            if in_frame(box, pointer):
+                return self._take_all(scene, pointer, selected)
+        edge = edge_at(scene.document, pointer)
+        if edge is not None and not pointer.shift:
+            ends = frozenset([edge[0], (edge[0] + 1) % len(scene.document.vertices(side))])
+            return self._take(scene, pointer, ends, Selection(side, ends))
+        kept = scene.selection if pointer.shift else Selection(side)
+        return Response(RubberBand(pointer, pointer, kept), selection=kept)
 
     def move(self, scene: Scene, pointer: Pointer) -> Response:
         vertex = vertex_at(scene.document, pointer)
-        edge = None if vertex is not None else edge_at(scene.document, pointer)
-        return Response(SelectTool(pointer.side, vertex, edge[1] if edge else None))
+        box = frame_of(scene, pointer.side)
+        handle = handle_at(box, pointer) if box is not None and vertex is None else ""
+        edge = None if vertex is not None or handle else edge_at(scene.document, pointer)
+        return Response(SelectTool(pointer.side, vertex, edge[1] if edge else None, handle))
 
     def double_press(self, scene: Scene, pointer: Pointer) -> Response:
         edge = edge_at(scene.document, pointer)
@@ -69,26 +83,67 @@ class SelectTool(Tool):
             return Response(self)
         if key.name in ("delete", "backspace"):
             return self._delete(scene)
+        if key.name in ARROWS and key.alt:
+            return self._transform(scene, key)
         if key.name in ARROWS:
             x, y = ARROWS[key.name]
             return self._nudge(scene, (x * key.step, y * key.step))
         return Response(self)
 
     def overlay(self, scene: Scene, side: Side) -> Overlay:
+        frame = frame_of(scene, side)
         if side != self.side or (self.vertex or 0) >= len(scene.document.vertices(side)):
-            return Overlay()
-        return Overlay(vertex=self.vertex, insertion=self.insertion)
+            return Overlay(frame=frame)
+        return Overlay(vertex=self.vertex, insertion=self.insertion, frame=frame, handle=self.handle)
+
+    def _take_vertex(self, scene: Scene, pointer: Pointer, vertex: int) -> Response:
+        if pointer.shift:
+            return Response(self, selection=scene.selection.toggle(pointer.side, vertex))
+        alone = Selection(pointer.side, frozenset([vertex]))
+        selected = scene.selection.on(pointer.side)
+        return self._take(scene, pointer, selected if vertex in selected else alone.vertices, alone)
+
+    def _take_all(self, scene: Scene, pointer: Pointer, selected: frozenset[int]) -> Response:
+        """Take what is in the frame; a click there selects the whole shape, or nothing beside it."""
+        side = pointer.side
+        on_it = inside(scene.document, pointer) or edge_at(scene.document, pointer) is not None
+        click = everything(scene.document, side) if on_it else Selection(side)
+        return self._take(scene, pointer, selected, click)
 
     @staticmethod
-    def _nudge(scene: Scene, offset: Point) -> Response:
+    def _take(scene: Scene, pointer: Pointer, vertices: frozenset[int], click: Selection) -> Response:
+        side = pointer.side
+        vertex = nearest_vertex(scene.document, pointer, vertices)
+        state = Dragging(SelectTool(side), pointer, vertex, vertices, click)
+        return Response(state, selection=Selection(side, vertices))
+
+    def _nudge(self, scene: Scene, offset: Point) -> Response:
         """Move the selection; nudges of the same vertices in a row are undone at once."""
-        side, vertices = scene.selection.side, scene.selection.vertices
-        response = _move(scene, side, vertices, offset)
+        selection = scene.selection
+        ring = scene.document.moved(selection.side, selection.vertices, offset)
+        return self._joined(scene, ring, QT_TRANSLATE_NOOP("Step", "Nudge vertices"))
+
+    def _transform(self, scene: Scene, key: Key) -> Response:
+        """Turn by left and right, scale by up and down, about the middle of the selection."""
+        side, rows = scene.selection.side, sorted(scene.selection.vertices)
+        ring = scene.document.vertices(side).copy()
+        x, y = ARROWS[key.name]
+        middle = box_of(ring[rows]).middle
+        if x:
+            angle = -x * radians(15 if key.far else 1)
+            ring[rows] = transforms.turned(ring[rows], middle, angle)
+            return self._joined(scene, ring, QT_TRANSLATE_NOOP("Step", "Turn"))
+        factor = (1.1 if key.far else 1.01) ** y
+        ring[rows] = transforms.scaled(ring[rows], middle, (factor, factor))
+        return self._joined(scene, ring, QT_TRANSLATE_NOOP("Step", "Scale"))
+
+    @staticmethod
+    def _joined(scene: Scene, ring: Floats, name: str) -> Response:
+        selection = scene.selection
+        response = placed(scene, SelectTool(selection.side), selection, ring, name)
         if response.commit is None:
             return response
-        name = QT_TRANSLATE_NOOP("Step", "Nudge vertices")
-        commit = Commit(response.commit.document, name, joins=("nudge", side, vertices))
-        return replace(response, commit=commit)
+        return replace(response, commit=replace(response.commit, joins=(name, selection)))
 
     def _delete(self, scene: Scene) -> Response:
         side, vertices = scene.selection.side, scene.selection.vertices
@@ -100,44 +155,6 @@ class SelectTool(Tool):
         return Response(
             SelectTool(side), Commit(document, QT_TRANSLATE_NOOP("Step", "Delete vertices")), Selection(side)
         )
-
-
-@dataclass(frozen=True)
-class Dragging(Tool):
-    """Some vertices held, one of them under the pointer."""
-
-    start: Pointer
-    vertex: int
-    vertices: frozenset[int]
-    offset: Point | None = None
-
-    name: ClassVar[str] = "select"
-    hint: ClassVar[str] = QT_TRANSLATE_NOOP("Hint", "Release to set the vertices here; Esc puts them back.")
-    busy: ClassVar[bool] = True
-
-    def move(self, scene: Scene, pointer: Pointer) -> Response:
-        if self.offset is None and distance(pointer.at, self.start.at) <= pointer.radius / 3:
-            return Response(self)  # a shaky click is no drag
-        offset = (pointer.at[0] - self.start.at[0], pointer.at[1] - self.start.at[1])
-        tried = _move(scene, self.start.side, self.vertices, offset)
-        return Response(replace(self, offset=offset), refusal=tried.refusal)
-
-    def release(self, scene: Scene, pointer: Pointer) -> Response:
-        if self.offset is None:
-            only = Selection(self.start.side, frozenset([self.vertex]))
-            return Response(SelectTool(self.start.side, self.vertex), selection=only)
-        return _move(scene, self.start.side, self.vertices, self.offset)
-
-    def key(self, scene: Scene, key: Key) -> Response:
-        return Response(self.cancel() if key.name in ("backspace", "delete") else self)
-
-    def cancel(self) -> Tool:
-        return SelectTool(self.start.side)
-
-    def overlay(self, scene: Scene, side: Side) -> Overlay:
-        if side != self.start.side or self.offset is None:
-            return Overlay()
-        return Overlay(ring=scene.document.moved(side, self.vertices, self.offset), vertex=self.vertex)
 
 
 @dataclass(frozen=True)
@@ -153,11 +170,14 @@ class RubberBand(Tool):
     busy: ClassVar[bool] = True
 
     def move(self, scene: Scene, pointer: Pointer) -> Response:
-        inside = vertices_in(scene.document, pointer, self.start.at)
-        return Response(replace(self, end=pointer), selection=self.kept.add(pointer.side, inside))
+        within = vertices_in(scene.document, pointer, self.start.at)
+        return Response(replace(self, end=pointer), selection=self.kept.add(pointer.side, within))
 
     def release(self, scene: Scene, pointer: Pointer) -> Response:
-        return Response(SelectTool(pointer.side))
+        side = self.start.side
+        click = distance(self.start.at, self.end.at) <= pointer.radius / 3
+        whole = click and not self.start.shift and inside(scene.document, self.start)
+        return Response(SelectTool(side), selection=everything(scene.document, side) if whole else None)
 
     def cancel(self) -> Tool:
         return SelectTool(self.start.side)
@@ -166,14 +186,7 @@ class RubberBand(Tool):
         return Overlay(box=(self.start.at, self.end.at)) if side == self.start.side else Overlay()
 
 
-def _move(scene: Scene, side: Side, vertices: frozenset[int], offset: Point) -> Response:
-    """Try to move vertices."""
-    ring = scene.document.moved(side, vertices, offset)
-    try:
-        document = scene.document.move(side, vertices, offset)
-    except StarskelError as error:
-        return Response(SelectTool(side), refusal=refused_ring(side, ring, error))
-    # a shape that is turned inside out numbers its vertices anew
-    moved = (document.vertices(side)[:, None] == ring[sorted(vertices)]).all(axis=2).any(axis=1)
-    selection = Selection(side, frozenset(np.flatnonzero(moved).tolist()))
-    return Response(SelectTool(side), Commit(document, QT_TRANSLATE_NOOP("Step", "Move vertices")), selection)
+def frame_of(scene: Scene, side: Side) -> Box | None:
+    """Give the box around the selected vertices of a side, where there are at least two."""
+    vertices = [v for v in scene.selection.on(side) if v < len(scene.document.vertices(side))]
+    return box_of(scene.document.vertices(side)[vertices]) if len(vertices) > 1 else None

@@ -1,16 +1,21 @@
 """The protocol between a canvas and its tools: events in, the next state and its effects out."""
 
 from collections.abc import Hashable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar
 
 from app.model.document import Document, Point
 from app.model.marks import Marks, Side
 from app.model.selection import Selection
+from app.model.transforms import Box
+from app.tools.settings import Settings
 from starskel.errors import InvalidMarks, InvalidPolygon, StarskelError
 from starskel.predicates import Floats
 
 Segment = tuple[Point, Point]
+
+PICK = 9.0
+"""Pixels within which a vertex or an edge counts as under the pointer."""
 
 
 @dataclass(frozen=True)
@@ -26,24 +31,38 @@ class Pointer:
     radius : float
         How near counts as on it, in document units.
     shift : bool
-        Whether the shift key is held.
+        Whether the shift key is held: it constrains a gesture.
+    free : bool
+        Whether the control key is held: it suspends snapping.
+    across : Pointer or None
+        Where it is on the other canvas, if it was dragged there from this one.
     """
 
     side: Side
     at: Point
     radius: float
     shift: bool = False
+    free: bool = False
+    across: "Pointer | None" = None
+
+    @property
+    def pixel(self) -> float:
+        """The size of a pixel, in document units."""
+        return self.radius / PICK
 
 
 @dataclass(frozen=True)
 class Key:
     """A key: "enter", "backspace", "delete", "left", "right", "up" or "down".
 
-    `step` is how far an arrow key goes, in document units.
+    `step` is how far an arrow key goes, in document units; `far` tells whether Shift makes it go further, and
+    `alt` whether the Alt key is held, which makes arrow keys turn and scale.
     """
 
     name: str
     step: float = 1.0
+    far: bool = False
+    alt: bool = False
 
 
 @dataclass(frozen=True)
@@ -52,6 +71,26 @@ class Scene:
 
     document: Document
     selection: Selection
+    settings: Settings = field(default_factory=Settings)
+
+
+@dataclass(frozen=True)
+class Catch:
+    """Where the pointer is caught.
+
+    Attributes
+    ----------
+    at : (float, float)
+        The place.
+    kind : str
+        What by: "vertex", "aligned" (with a vertex), "edge", "angle", "grid", or "" where nothing did.
+    guides : tuple of segments
+        Lines that show why, from what catches to the place.
+    """
+
+    at: Point
+    kind: str = ""
+    guides: tuple[Segment, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -108,6 +147,22 @@ class Overlay:
         Where a double click would insert a vertex.
     pin : (int, int) or None
         A vertex and the number of the mark that would be set there.
+    line : (float, float) or None
+        Where the line ends that leads from the pin to the pointer, if the pointer is on this canvas.
+    figure : (n, 2) array or None
+        A shape that would replace the stored one.
+    trail : (k, 2) array or None
+        A line as the hand drew it.
+    beside : tuple of (n, 2) arrays
+        Outlines that belong to the figure but are left out of it.
+    frame : Box or None
+        A frame with handles around what is selected.
+    handle : str
+        The handle that a press would take.
+    catch : Catch or None
+        What the pointer is caught by.
+    readout : (place, str) or None
+        Figures to be shown at a place.
     """
 
     ring: Floats | None = None
@@ -117,6 +172,14 @@ class Overlay:
     vertex: int | None = None
     insertion: Point | None = None
     pin: tuple[int, int] | None = None
+    line: Point | None = None
+    figure: Floats | None = None
+    trail: Floats | None = None
+    beside: tuple[Floats, ...] = ()
+    frame: Box | None = None
+    handle: str = ""
+    catch: Catch | None = None
+    readout: tuple[Point, str] | None = None
 
 
 class Tool:
@@ -130,6 +193,9 @@ class Tool:
 
     busy: ClassVar[bool] = False
     """Whether a gesture is under way that `cancel` would end."""
+
+    options: ClassVar[str] = ""
+    """Which options apply now, where they are not those of the tool."""
 
     def press(self, scene: Scene, pointer: Pointer) -> "Response":
         return Response(self)
@@ -149,6 +215,10 @@ class Tool:
         return self.press(scene, pointer)
 
     def key(self, scene: Scene, key: Key) -> "Response":
+        return Response(self)
+
+    def adjust(self, scene: Scene) -> "Response":
+        """Follow settings that were changed."""
         return Response(self)
 
     def cancel(self) -> "Tool":

@@ -5,7 +5,8 @@ from collections.abc import Callable, Mapping
 from PySide6.QtCore import QCoreApplication, QObject
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QPalette
 
-from app.view.commands import COMMANDS, Command
+from app.view.command import Command
+from app.view.commands import COMMANDS
 from app.view.icons import icon
 
 

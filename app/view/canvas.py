@@ -1,10 +1,13 @@
 """Canvas: one of the two shapes, to be looked at and edited."""
 
+from dataclasses import replace
+
 from PySide6.QtCore import QPointF, Qt, Slot
 from PySide6.QtGui import (
     QFocusEvent,
     QKeyEvent,
     QMouseEvent,
+    QPainter,
     QPaintEvent,
     QPalette,
     QResizeEvent,
@@ -14,14 +17,12 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.model.marks import Side
 from app.session import Session
-from app.tools.tool import Key, Pointer
+from app.tools.tool import PICK, Key, Pointer
 from app.view import words
 from app.view.camera import Camera
 from app.view.canvas_painter import CanvasPainter
+from app.view.display import Display
 from app.view.drawing import painting
-
-PICK = 9.0
-"""Pixels within which a vertex or an edge counts as under the pointer."""
 
 MARGIN = 52.0
 """Pixels left free around a fitted shape: room for pins and caption."""
@@ -43,11 +44,12 @@ KEYS = {
 class Canvas(QWidget):
     """Shows one side of the session's document and feeds the tool with what the user does here."""
 
-    def __init__(self, session: Session, side: Side, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, session: Session, side: Side, display: Display) -> None:
+        super().__init__()
         self.side = side
         self.camera = Camera()
         self._session = session
+        self._display = display
         self._fits = True
         self._panning_from: QPointF | None = None
         self._space = False
@@ -58,7 +60,8 @@ class Canvas(QWidget):
         self.setAutoFillBackground(False)
         self.setMinimumSize(160, 120)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        session.changed.connect(self.update)
+        for signal in (session.changed, session.pointed_changed, session.results_changed, display.changed):
+            signal.connect(self.update)
         session.opened.connect(self.fit)
         session.tool_changed.connect(self._show_cursor)
         self._show_cursor()
@@ -71,17 +74,29 @@ class Canvas(QWidget):
         self._fits = True
         self._aim()
 
+    def reveal(self) -> None:
+        """Show the whole shape where a part of it is out of sight."""
+        screen = self.camera.to_screen(self._session.document.vertices(self.side))
+        if not ((screen >= 0) & (screen <= (self.width(), self.height()))).all():
+            self.fit()
+
     def zoom(self, factor: float) -> None:
         """Zoom at the middle of the view."""
         self._look(self.camera.zoomed(factor, self.width() / 2, self.height() / 2))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         with painting(self) as painter:
-            CanvasPainter(painter, self.palette(), self.camera, self._session, self.side).paint()
+            self._painter_for(painter).paint()
             if self.hasFocus():
                 painter.setPen(self.palette().color(QPalette.ColorRole.Highlight))
                 painter.setBrush(Qt.BrushStyle.NoBrush)
                 painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+
+    def _painter_for(self, painter: QPainter) -> CanvasPainter:
+        layers = self._display.layers
+        return CanvasPainter(
+            painter, self.palette(), self.camera, session=self._session, side=self.side, layers=layers
+        )
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         self.camera = self.camera.resized(self.width(), self.height())
@@ -139,7 +154,8 @@ class Canvas(QWidget):
             self._show_cursor()
         elif name is not None:
             far = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
-            self._session.key(Key(name, (10 if far else 1) / self.camera.scale))
+            alt = bool(event.modifiers() & Qt.KeyboardModifier.AltModifier)
+            self._session.key(Key(name, (10 if far else 1) / self.camera.scale, far, alt))
         else:
             super().keyPressEvent(event)
 
@@ -161,11 +177,26 @@ class Canvas(QWidget):
     def _is_left(event: QMouseEvent) -> bool:
         return event.button() == Qt.MouseButton.LeftButton
 
-    def _pointer(self, event: QMouseEvent) -> Pointer:
-        place = event.position()
-        shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+    def pointer_at(self, place: QPointF) -> Pointer:
+        """Give a pixel of this canvas as the tools know it."""
         at = self.camera.to_document(place.x(), place.y())
-        return Pointer(self.side, at, PICK / self.camera.scale, shift)
+        return Pointer(self.side, at, PICK / self.camera.scale)
+
+    def _pointer(self, event: QMouseEvent) -> Pointer:
+        shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        free = bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier)
+        pointer = self.pointer_at(event.position())
+        return replace(pointer, shift=shift, free=free, across=self._across(event.position()))
+
+    def _across(self, place: QPointF) -> Pointer | None:
+        """Give where a drag that has left this canvas is on the other one."""
+        if self.rect().contains(place.toPoint()):
+            return None
+        window = self.window()
+        under = window.childAt(self.mapTo(window, place.toPoint()))
+        if not isinstance(under, Canvas) or under is self:
+            return None
+        return under.pointer_at(under.mapFrom(window, self.mapTo(window, place)))
 
     @Slot()
     def _show_cursor(self) -> None:

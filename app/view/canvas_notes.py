@@ -1,5 +1,8 @@
 """Words on a canvas: its caption, how to begin, and why something was refused."""
 
+from collections.abc import Sequence
+
+import numpy as np
 from PySide6.QtCore import QCoreApplication, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter
 
@@ -12,6 +15,14 @@ from app.view.theme import Theme
 translate = QCoreApplication.translate
 
 INSET = 10.0
+
+NOTICE_FLAGS = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+
+NOTICE = 340.0
+"""Width of a notice, in pixels."""
+
+CLEARANCE = 24.0
+"""Pixels between a notice and what it is about."""
 
 
 def paint_caption(painter: QPainter, theme: Theme, side: Side, count: int) -> None:
@@ -53,20 +64,56 @@ def paint_invitation(painter: QPainter, theme: Theme, frame: QRectF, side: Side,
 
 
 def paint_notice(painter: QPainter, theme: Theme, frame: QRectF, text: str, concerned: list[QPointF]) -> None:
-    """Write why something was refused; on the lower edge, unless that hides what it is about."""
-    painter.setFont(_sized(painter.font(), 10.0))
-    flags = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-    room = frame.adjusted(INSET + 32, 0, -INSET - 10, 0)
-    height = painter.boundingRect(room, flags, text).height() + 14
-    box = QRectF(INSET, frame.bottom() - INSET - height, frame.width() - 2 * INSET, height)
-    if any(place.y() > box.top() - 20 for place in concerned):
-        box.moveTop(frame.top() + 36)
-    painter.setPen(pen(theme.refused, 1.5))
-    painter.setBrush(QColor(theme.base))
-    painter.drawRoundedRect(box, 5, 5)
+    """Write why something was refused, beside what it is about."""
+    size = _notice_size(painter, frame, text)
+    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET), concerned)
+    _paint_plate(painter, theme, box, theme.refused)
     cross_at(painter, QPointF(box.left() + 16, box.center().y()), QColor(theme.refused), 4.5)
     painter.setPen(QColor(theme.text))
-    painter.drawText(box.adjusted(32, 0, -10, 0), flags, text)
+    painter.drawText(box.adjusted(32, 0, -10, 0), NOTICE_FLAGS, text)
+
+
+def paint_news(painter: QPainter, theme: Theme, frame: QRectF, text: str) -> None:
+    """Write what an edit brought with it, on the lower edge."""
+    size = _notice_size(painter, frame, text)
+    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET), ())
+    _paint_plate(painter, theme, box, theme.accent)
+    painter.setPen(QColor(theme.text))
+    painter.drawText(box.adjusted(32, 0, -10, 0), NOTICE_FLAGS, text)
+    painter.setPen(QColor(theme.accent))
+    painter.setFont(_sized(painter.font(), 12.0, bold=True))
+    painter.drawText(QRectF(box.left() + 8, box.top(), 16, box.height()), Qt.AlignmentFlag.AlignCenter, "i")
+
+
+def _notice_size(painter: QPainter, frame: QRectF, text: str) -> tuple[float, float]:
+    """Set the font of a notice, and give the width and the height of its box."""
+    painter.setFont(_sized(painter.font(), 10.0))
+    width = min(NOTICE, frame.width() - 2 * INSET)
+    return width, painter.boundingRect(QRectF(0, 0, width - 42, 0), NOTICE_FLAGS, text).height() + 14
+
+
+def _paint_plate(painter: QPainter, theme: Theme, box: QRectF, edge: str) -> None:
+    painter.setPen(pen(edge, 1.5))
+    painter.setBrush(QColor(theme.base))
+    painter.drawRoundedRect(box, 5, 5)
+
+
+def notice_box(width: float, height: float, room: QRectF, concerned: Sequence[QPointF]) -> QRectF:
+    """Give the box in the room that is nearest to what it is about and hides none of it.
+
+    Where there is no such box, or nothing to be near to, it lies on the lower edge.
+    """
+    lefts = np.linspace(room.left(), max(room.right() - width, room.left()), 12)
+    tops = np.linspace(room.top(), max(room.bottom() - height, room.top()), 12)
+    boxes = [QRectF(x, y, width, height) for x in lefts.tolist() for y in tops.tolist()]
+    free = [box for box in boxes if not any(_near(box).contains(place) for place in concerned)]
+    if not free or not concerned:
+        return QRectF(room.left(), room.bottom() - height, width, height)
+    return min(free, key=lambda box: sum((box.center() - p).manhattanLength() for p in concerned))
+
+
+def _near(box: QRectF) -> QRectF:
+    return box.adjusted(-CLEARANCE, -CLEARANCE, CLEARANCE, CLEARANCE)
 
 
 def _sized(font: QFont, points: float, *, bold: bool = False) -> QFont:

@@ -10,26 +10,45 @@ from app.session import Session
 from app.tools.tool import Overlay
 from app.view import words
 from app.view.camera import Camera
-from app.view.canvas_notes import paint_caption, paint_invitation, paint_notice
-from app.view.drawing import faded, pen, point_of, polygon_of
+from app.view.canvas_gesture import GesturePainter, square
+from app.view.canvas_notes import paint_caption, paint_invitation, paint_news, paint_notice
+from app.view.display import Layers
+from app.view.drawing import faded, lines_of, pen, point_of, polygon_of
+from app.view.frame_layers import paint_numbers, paint_way
 from app.view.pins import Pin, cross_at, outward, paint_pins
+from app.view.structure import paint_pieces, paint_skeleton
 from app.view.theme import theme_of
+from starskel.blending.pieces import PieceBlend
 from starskel.predicates import Floats
 
 CROWDED = 7.0
 """Vertices nearer to each other than so many pixels, on average, are not shown one by one."""
 
+DIAMOND = (QPointF(0, -8), QPointF(8, 0), QPointF(0, 8), QPointF(-8, 0))
+
+
+CLOSEST = 8.0
+"""Lines of the grid are no nearer to each other than so many pixels."""
+
 
 class CanvasPainter:
     """Paints one canvas once."""
 
-    def __init__(
-        self, painter: QPainter, palette: QPalette, camera: Camera, session: Session, side: Side
+    def __init__(  # noqa: PLR0913 -- all that a canvas consists of
+        self,
+        painter: QPainter,
+        palette: QPalette,
+        camera: Camera,
+        *,
+        session: Session,
+        side: Side,
+        layers: Layers,
     ) -> None:
         self._painter = painter
         self._theme = theme_of(palette)
         self._camera = camera
         self._session = session
+        self._layers = layers
         self._side: Side = side
         self._overlay: Overlay = session.overlay(side)
         self._colour = self._theme.side(side)
@@ -40,39 +59,89 @@ class CanvasPainter:
     def paint(self) -> None:
         """Paint everything, from the ground up."""
         self._painter.fillRect(self._frame(), QColor(self._theme.base))
+        self._paint_grid()
         self._painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._paint_shape()
+        self._paint_structure()
         self._paint_vertices()
+        self._paint_numbers()
         self._paint_pins()
+        self._paint_trace()
         self._paint_selection()
-        self._paint_path()
-        self._paint_box()
+        GesturePainter(self._painter, self._theme, self._camera, self._colour).paint(self._overlay)
         self._paint_words()
         self._paint_refusal()
+        if self._session.lost and self._side == self._session.selection.side:
+            text = words.lost_marks(self._session.lost)
+            paint_news(self._painter, self._theme, self._frame(), text)
 
     def _frame(self) -> QRectF:
         return QRectF(0, 0, self._camera.width, self._camera.height)
+
+    def _paint_grid(self) -> None:
+        """Show the grid where it catches the pointer; where its lines would run together, every fifth."""
+        snapping = self._session.settings.snapping
+        if not snapping.grid:
+            return
+        spacing = snapping.spacing
+        while spacing * self._camera.scale < CLOSEST:
+            spacing *= 5
+        left, top = self._camera.to_document(0, 0)
+        right, low = self._camera.to_document(self._camera.width, self._camera.height)
+        across, upwards = (
+            np.arange(np.ceil(a / spacing), b / spacing) * spacing for a, b in ((left, right), (low, top))
+        )
+        lines = [((x, low), (x, top)) for x in across] + [((left, y), (right, y)) for y in upwards]
+        ends = self._camera.to_screen(np.array(lines).reshape(-1, 2, 2))
+        self._painter.setPen(pen(faded(self._theme.edge, 0.6)))
+        self._painter.drawLines(lines_of(ends[:, 0], ends[:, 1]))
 
     # the document
 
     def _paint_shape(self) -> None:
         if not len(self._screen):
             return
-        replaced = bool(self._overlay.path)  # the shape that closing the path would replace
+        replaced = self._is_replaced()
         width = 1.0 if self._crowded() else 1.5  # wider, 2,000 smooth edges take a hundred times as long
         self._painter.setPen(pen(faded(self._colour, 0.35 if replaced else 1.0), width))
         self._painter.setBrush(faded(self._colour, 0.07 if replaced else 0.22))
         self._painter.drawPolygon(polygon_of(self._screen), Qt.FillRule.WindingFill)
 
+    def _paint_structure(self) -> None:
+        """Show how the shape is cut, where that is known of the shape as it is now."""
+        cut = next((r.blend for r in self._session.fresh_results if isinstance(r.blend, PieceBlend)), None)
+        if cut is None or self._overlay.ring is not None or self._overlay.path:
+            return
+        dec = cut.decomposition
+        rows, origins = (dec.source, dec.source_origins)
+        if self._side == "target":
+            rows, origins = (dec.target, dec.target_origins)
+        if self._layers.pieces:
+            paint_pieces(self._painter, self._theme, dec, self._camera.to_screen(rows))
+        if self._layers.skeleton:
+            places = self._camera.to_screen(cut.skeleton.points(rows, origins))
+            paint_skeleton(self._painter, self._theme, cut.skeleton, places)
+
+    def _paint_numbers(self) -> None:
+        if self._layers.numbers:
+            numbers = [str(number) for number in range(len(self._screen))]
+            paint_numbers(self._painter, self._theme, self._screen, numbers)
+
     def _paint_vertices(self) -> None:
-        if self._overlay.path or self._crowded():
+        if not len(self._screen) or self._is_replaced() or self._crowded():
             return
         self._painter.setPen(pen(self._colour, 1.5))
         self._painter.setBrush(QColor(self._theme.base))
         low, high = (-3.0, -3.0), (self._camera.width + 3, self._camera.height + 3)
         shown = ((self._screen >= low) & (self._screen <= high)).all(axis=1)
         for place in self._screen[shown]:
-            self._painter.drawRect(_square(place, 2.5))
+            self._painter.drawRect(square(place, 2.5))
+        self._painter.setBrush(self._colour)  # filled: where the vertices begin to count
+        self._painter.drawRect(square(self._screen[0], 2.5))
+
+    def _is_replaced(self) -> bool:
+        """Tell whether the gesture would put another shape in the place of this one."""
+        return bool(self._overlay.path) or self._overlay.figure is not None
 
     def _crowded(self) -> bool:
         if len(self._screen) < 40:
@@ -85,7 +154,7 @@ class CanvasPainter:
         self._painter.setPen(pen(self._theme.base, 1.0))
         self._painter.setBrush(QColor(self._theme.accent))
         for vertex in self._session.selection.on(self._side):
-            self._painter.drawRect(_square(self._screen[vertex], 4.5))
+            self._painter.drawRect(square(self._screen[vertex], 4.5))
         self._painter.setBrush(Qt.BrushStyle.NoBrush)
         self._painter.setPen(pen(self._theme.accent, 2.0))
         if self._overlay.vertex is not None:
@@ -111,40 +180,20 @@ class CanvasPainter:
         direction: Floats = outward(self._ring, vertex) * (1, -1)
         return direction
 
-    # the gesture
-
-    def _paint_path(self) -> None:
-        path = self._overlay.path
-        if not path:
+    def _paint_trace(self) -> None:
+        """Show the partner of the vertex pointed at, and the way from the one to the other."""
+        trace, pointed = self._session.trace, self._session.pointed
+        if trace is None or pointed is None:
             return
-        screen = self._camera.to_screen(np.array(path))
-        self._painter.setPen(Qt.PenStyle.NoPen)
-        self._painter.setBrush(faded(self._colour, 0.15))
-        self._painter.drawPolygon(polygon_of(screen))
-        self._painter.setPen(pen(self._colour, 2.0))
-        self._painter.drawPolyline(polygon_of(screen[:-1]))
-        self._painter.setPen(pen(self._colour, 1.5, Qt.PenStyle.DashLine))
-        self._painter.drawLine(point_of(screen[-2]), point_of(screen[-1]))
-        self._painter.setPen(pen(self._colour, 1.5))
+        way = self._session.fresh_results[0].samples[:, trace.row]
+        paint_way(self._painter, self._theme, self._camera.to_screen(way))
+        self._painter.setPen(pen(self._theme.accent, 2.5))
         self._painter.setBrush(QColor(self._theme.base))
-        for place in screen[1:-1]:
-            self._painter.drawRect(_square(place, 3.0))
-        self._paint_first_vertex(screen)
-
-    def _paint_first_vertex(self, screen: Floats) -> None:
-        """Show the vertex that closes the path: larger, filled when the pointer is on it."""
-        closing = self._theme.accent if self._overlay.closes else self._colour
-        self._painter.setPen(pen(closing, 2.0))
-        self._painter.setBrush(QColor(self._theme.accent if self._overlay.closes else self._theme.base))
-        self._painter.drawEllipse(point_of(screen[0]), 6.0, 6.0)
-
-    def _paint_box(self) -> None:
-        if self._overlay.box is None:
-            return
-        first, second = (point_of(corner) for corner in self._camera.to_screen(np.array(self._overlay.box)))
-        self._painter.setPen(pen(self._theme.accent, 1.0, Qt.PenStyle.DashLine))
-        self._painter.setBrush(faded(self._theme.accent, 0.1))
-        self._painter.drawRect(QRectF(first, second).normalized())
+        place = point_of(self._camera.to_screen(np.array(trace.place(self._side))))
+        if trace.vertex(self._side) is None:  # it has no vertex here: the correspondence inserts one
+            self._painter.drawPolygon([place + step for step in DIAMOND])
+        else:
+            self._painter.drawEllipse(place, 7.5, 7.5)
 
     # what was refused
 
@@ -152,10 +201,11 @@ class CanvasPainter:
         refusal = self._session.refusal
         if refusal is None:
             return
-        vertices = [end(mark, self._side) for mark in refusal.marks]
+        ends = {end(mark, self._side) for mark in refusal.marks}
+        vertices = sorted(vertex for vertex in ends if vertex < len(self._screen))
         for vertex in vertices:
             self._paint_refused_pin(vertex)
-        if refusal.side != self._side:
+        if refusal.side != self._side and not refusal.marks:
             return
         red = QColor(self._theme.refused)
         self._painter.setPen(pen(red, 3.0))
@@ -186,10 +236,7 @@ class CanvasPainter:
 
     def _paint_words(self) -> None:
         paint_caption(self._painter, self._theme, self._side, len(self._ring))
-        if not len(self._screen) and not self._overlay.path:
+        begun = self._is_replaced() or self._overlay.trail is not None
+        if not len(self._screen) and not begun:
             drawing = self._session.tool.name == "draw"
             paint_invitation(self._painter, self._theme, self._frame(), self._side, drawing)
-
-
-def _square(place: Floats, half: float) -> QRectF:
-    return QRectF(place[0] - half, place[1] - half, 2 * half, 2 * half)

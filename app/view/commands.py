@@ -1,37 +1,9 @@
 """The one table of all commands; menus, toolbar and shortcuts are made from it."""
 
-from dataclasses import dataclass
-
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-
-@dataclass(frozen=True)
-class Command:
-    """A row of the table.
-
-    Attributes
-    ----------
-    name : str
-        What the code calls it.
-    text : str
-        What the menu calls it.
-    tip : str
-        One line about what it does.
-    keys : tuple of str
-        Shortcuts in portable form.
-    group : str
-        Commands of one group exclude each other: one of them is checked.
-    checkable : bool
-        Whether it is a switch.
-    """
-
-    name: str
-    text: object
-    tip: object
-    keys: tuple[str, ...] = ()
-    group: str = ""
-    checkable: bool = False
-
+from app.view import drawing_commands
+from app.view.command import Command
 
 COMMANDS = (
     Command(
@@ -100,28 +72,30 @@ COMMANDS = (
         QT_TRANSLATE_NOOP("Command", "Give up the gesture or the computation under way"),
         ("Esc",),
     ),
-    Command(
-        "select",
-        QT_TRANSLATE_NOOP("Command", "&Select"),
-        QT_TRANSLATE_NOOP("Command", "Select, move, insert and delete vertices"),
-        ("S",),
-        "tool",
-        True,
-    ),
-    Command(
-        "draw",
-        QT_TRANSLATE_NOOP("Command", "&Draw"),
-        QT_TRANSLATE_NOOP("Command", "Draw a shape vertex by vertex"),
-        ("D",),
-        "tool",
-        True,
-    ),
+    *drawing_commands.TOOLS,
+    *drawing_commands.SNAPPING,
+    *drawing_commands.CLIPBOARD,
+    *drawing_commands.SHAPE,
     Command(
         "mark",
         QT_TRANSLATE_NOOP("Command", "&Mark"),
         QT_TRANSLATE_NOOP("Command", "Mark vertices that correspond"),
         ("M",),
         "tool",
+        True,
+    ),
+    Command(
+        "suggest",
+        QT_TRANSLATE_NOOP("Command", "S&uggest Marks"),
+        QT_TRANSLATE_NOOP("Command", "Replace all marks by ones that suggest themselves"),
+        ("Ctrl+M",),
+    ),
+    Command(
+        "marks",
+        QT_TRANSLATE_NOOP("Command", "&Marks Table"),
+        QT_TRANSLATE_NOOP("Command", "Show the marks as a table, to be edited by the keyboard"),
+        ("Ctrl+T",),
+        "",
         True,
     ),
     Command(
@@ -159,6 +133,30 @@ COMMANDS = (
         True,
     ),
     Command(
+        "onion",
+        QT_TRANSLATE_NOOP("Command", "&Onion Skin"),
+        QT_TRANSLATE_NOOP("Command", "Show frames before and after as faint outlines"),
+        ("Ctrl+3",),
+        "",
+        True,
+    ),
+    Command(
+        "ways",
+        QT_TRANSLATE_NOOP("Command", "Pat&hs"),
+        QT_TRANSLATE_NOOP("Command", "Show the paths of the vertices through time"),
+        ("Ctrl+4",),
+        "",
+        True,
+    ),
+    Command(
+        "numbers",
+        QT_TRANSLATE_NOOP("Command", "Vertex &Numbers"),
+        QT_TRANSLATE_NOOP("Command", "Show the numbers of the vertices, as the table of marks uses them"),
+        ("Ctrl+5",),
+        "",
+        True,
+    ),
+    Command(
         "light",
         QT_TRANSLATE_NOOP("Command", "&Light"),
         QT_TRANSLATE_NOOP("Command", "Dark writing on light ground"),
@@ -190,6 +188,24 @@ COMMANDS = (
         ("End",),
     ),
     Command(
+        "step-back",
+        QT_TRANSLATE_NOOP("Command", "Frame &Back"),
+        QT_TRANSLATE_NOOP("Command", "Stop, and show the frame before"),
+        (",",),
+    ),
+    Command(
+        "step-forward",
+        QT_TRANSLATE_NOOP("Command", "Frame For&ward"),
+        QT_TRANSLATE_NOOP("Command", "Stop, and show the next frame"),
+        (".",),
+    ),
+    Command(
+        "next-crossing",
+        QT_TRANSLATE_NOOP("Command", "Ne&xt Crossing"),
+        QT_TRANSLATE_NOOP("Command", "Stop where the next of the blends shown crosses itself"),
+        ("X",),
+    ),
+    Command(
         "recompute",
         QT_TRANSLATE_NOOP("Command", "&Compute Again"),
         QT_TRANSLATE_NOOP("Command", "Compute all blends anew"),
@@ -197,22 +213,64 @@ COMMANDS = (
     ),
 )
 
+
+def _names(commands: tuple[Command, ...]) -> tuple[str, ...]:
+    return tuple(command.name for command in commands)
+
+
+PALETTE = (*_names(drawing_commands.TOOLS), "mark")
+"""The tools, in the order of the bar at the left."""
+
 MENUS = (
     (
         QT_TRANSLATE_NOOP("Command", "&File"),
         ("new", "open", "examples", "", "save", "save-as", "", "export", "", "quit"),
     ),
-    (QT_TRANSLATE_NOOP("Command", "&Edit"), ("undo", "redo", "", "select-all", "delete", "", "cancel")),
-    (QT_TRANSLATE_NOOP("Command", "&Tools"), ("select", "draw", "mark")),
-    (QT_TRANSLATE_NOOP("Command", "&Blend"), ("play", "to-start", "to-end", "", "methods", "", "recompute")),
+    (
+        QT_TRANSLATE_NOOP("Command", "&Edit"),
+        ("undo", "redo", "", *_names(drawing_commands.CLIPBOARD), "", "select-all", "delete", "", "cancel"),
+    ),
+    (QT_TRANSLATE_NOOP("Command", "&Shape"), _names(drawing_commands.SHAPE)),
+    (
+        QT_TRANSLATE_NOOP("Command", "&Tools"),
+        (*PALETTE, "", "suggest", "marks", "", *_names(drawing_commands.SNAPPING)),
+    ),
+    (
+        QT_TRANSLATE_NOOP("Command", "&Blend"),
+        (
+            "play",
+            "to-start",
+            "to-end",
+            "step-back",
+            "step-forward",
+            "next-crossing",
+            "",
+            "methods",
+            "",
+            "recompute",
+        ),
+    ),
     (
         QT_TRANSLATE_NOOP("Command", "&View"),
-        ("fit", "zoom-in", "zoom-out", "", "pieces", "skeleton", "", "light", "dark"),
+        (
+            "fit",
+            "zoom-in",
+            "zoom-out",
+            "",
+            "pieces",
+            "skeleton",
+            "onion",
+            "ways",
+            "numbers",
+            "",
+            "light",
+            "dark",
+        ),
     ),
 )
 """Menus in order; an empty name is a separator, and names that are no commands are submenus."""
 
 TOOLBAR = (
-    *("new", "open", "save", "", "select", "draw", "mark", "", "undo", "redo", ""),
-    *("fit", "pieces", "skeleton", "", "export"),
+    *("new", "open", "save", "", "undo", "redo", "", "suggest", "marks", ""),
+    *("fit", "pieces", "skeleton", "onion", "ways", "numbers", "", "export"),
 )

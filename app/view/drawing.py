@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import shiboken6
-from PySide6.QtCore import QLineF, QPointF, Qt
+from PySide6.QtCore import QLineF, QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QPaintDevice, QPainter, QPen, QPixmap, QPolygonF
 from PySide6.QtWidgets import QWidget
 
@@ -27,8 +27,12 @@ def painting(device: QPaintDevice) -> Iterator[QPainter]:
 
 def layer_for(widget: QWidget) -> QPixmap:
     """Give a transparent image for the whole of a widget, sharp on its screen."""
-    ratio = widget.devicePixelRatioF()
-    layer = QPixmap(widget.size() * ratio)
+    return layer_of(widget.size(), widget.devicePixelRatioF())
+
+
+def layer_of(size: QSize, ratio: float) -> QPixmap:
+    """Give a transparent image of this size, with so many pixels to each of the widget's."""
+    layer = QPixmap(size * ratio)
     layer.setDevicePixelRatio(ratio)
     layer.fill(Qt.GlobalColor.transparent)
     return layer

@@ -1,10 +1,11 @@
 """The main window: canvases above, methods side by side, timeline and status below."""
 
 from collections.abc import Callable
+from dataclasses import fields
 
 from PySide6.QtCore import QEvent, QSize, Qt, Slot
 from PySide6.QtGui import QAction, QCloseEvent
-from PySide6.QtWidgets import QApplication, QMainWindow, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QSplitter, QVBoxLayout, QWidget
 
 from app.model.marks import SIDES, Side, other
 from app.session import Session
@@ -12,15 +13,24 @@ from app.tools.tool import Key
 from app.view import words
 from app.view.actions import Actions
 from app.view.canvas import NOTCH, Canvas
-from app.view.display import Display
+from app.view.commands import PALETTE
+from app.view.display import Display, Layers
+from app.view.edits import Edits
 from app.view.files import Files
 from app.view.icons import icon
-from app.view.menus import examples_menu, fill_menu_bar, methods_menu, tool_bar
+from app.view.mark_line import MarkLine
+from app.view.marks_table import MarksPanel
+from app.view.menus import examples_menu, fill_menu_bar, methods_menu, tool_bar, tool_palette
+from app.view.options import SWITCHES, OptionsBar
 from app.view.panels import Panels
 from app.view.player import Player
 from app.view.status import Status
 from app.view.theme import DARK, LIGHT, Theme, apply_theme, theme_of
 from app.view.timeline import Timeline
+from app.view.verdicts import next_crossing
+
+LAYERS = tuple(field.name for field in fields(Layers))
+"""Switches of what is shown, which have the names of their commands."""
 
 
 class MainWindow(QMainWindow):
@@ -32,8 +42,9 @@ class MainWindow(QMainWindow):
         self.player = Player(self)
         self.display = Display(self)
         self.files = Files(self, session, self.player, self.display)
+        self.canvases: dict[Side, Canvas] = {side: Canvas(session, side, self.display) for side in SIDES}
+        self.edits = Edits(self, session, self.canvases)
         self.actions_table = Actions(self, self._handlers())
-        self.canvases: dict[Side, Canvas] = {side: Canvas(session, side) for side in SIDES}
         self.panels = Panels(session, self.player, self.display)
         self.timeline = Timeline(session, self.player, self.actions_table)
         self._examples = examples_menu(self)
@@ -41,9 +52,16 @@ class MainWindow(QMainWindow):
         submenus = {"examples": self._examples, "methods": self._methods}
         fill_menu_bar(self.menuBar(), self.actions_table, submenus)
         self.addToolBar(tool_bar(self.actions_table))
+        self.addToolBarBreak()
+        self.options = OptionsBar(session, self.actions_table)
+        self.addToolBar(self.options)
+        self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, tool_palette(self.actions_table))
         self.setCentralWidget(self._body())
+        self.marks = MarksPanel(session)
+        self._marks_dock = self._dock(self.marks)
         self.setStatusBar(Status(session, self.actions_table))
         self.resize(QSize(1280, 860).boundedTo(self.screen().availableSize()))
+        self.canvases["source"].setFocus()
         self._examples.triggered.connect(self._open_example)
         self._methods.triggered.connect(self._compare)
         session.document_changed.connect(self._follow)
@@ -70,8 +88,19 @@ class MainWindow(QMainWindow):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
         layout.addWidget(parts, 1)
+        self.mark_line = MarkLine(self.session, self.canvases, canvases, body)
         layout.addWidget(self.timeline)
         return body
+
+    def _dock(self, panel: QWidget) -> QDockWidget:
+        """Give the place at the side for the table of marks; closed until it is wanted."""
+        dock = QDockWidget(self.tr("Marks"), self)
+        dock.setObjectName("marks-dock")
+        dock.setWidget(panel)
+        self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
+        dock.hide()
+        dock.visibilityChanged.connect(self.actions_table["marks"].setChecked)
+        return dock
 
     # commands
 
@@ -89,25 +118,33 @@ class MainWindow(QMainWindow):
             "select-all": self._select_all,
             "delete": self._delete,
             "cancel": session.cancel,
-            "select": self._choose_tool,
-            "draw": self._choose_tool,
-            "mark": self._choose_tool,
+            **self.edits.handlers(),
+            **dict.fromkeys(PALETTE, self._choose_tool),
+            **dict.fromkeys(SWITCHES, self._switch_snapping),
+            "suggest": self._suggest_marks,
+            "marks": self._show_marks,
             "fit": self._fit,
             "zoom-in": self._zoom_in,
             "zoom-out": self._zoom_out,
-            "pieces": self._switch_display,
-            "skeleton": self._switch_display,
+            **dict.fromkeys(LAYERS, self._switch_display),
             "light": self._choose_theme,
             "dark": self._choose_theme,
             "play": player.toggle,
             "to-start": player.to_start,
             "to-end": player.to_end,
+            "step-back": player.step_back,
+            "step-forward": player.step_forward,
+            "next-crossing": self._next_crossing,
             "recompute": session.recompute,
         }
 
     @Slot()
     def _choose_tool(self) -> None:
         self.session.choose_tool(self.sender().objectName())
+
+    @Slot()
+    def _switch_snapping(self) -> None:
+        self.options.switch()
 
     @Slot()
     def _select_all(self) -> None:
@@ -122,9 +159,21 @@ class MainWindow(QMainWindow):
         self.session.key(Key("delete"))
 
     @Slot()
+    def _suggest_marks(self) -> None:
+        self.marks.suggest()
+
+    @Slot()
+    def _show_marks(self) -> None:
+        shown = self.actions_table["marks"].isChecked()
+        self._marks_dock.setVisible(shown)
+        if shown:
+            self.marks.table.setFocus()
+
+    @Slot()
     def _fit(self) -> None:
         for canvas in self.canvases.values():
             canvas.fit()
+        self.display.fit()
 
     @Slot()
     def _zoom_in(self) -> None:
@@ -137,11 +186,14 @@ class MainWindow(QMainWindow):
             canvas.zoom(1 / NOTCH)
 
     @Slot()
+    def _next_crossing(self) -> None:
+        reports = [result.report for result in self.session.fresh_results]
+        if (t := next_crossing(reports, self.player.t)) is not None:
+            self.player.stop_at(t)
+
+    @Slot()
     def _switch_display(self) -> None:
-        self.display.show(
-            pieces=self.actions_table["pieces"].isChecked(),
-            skeleton=self.actions_table["skeleton"].isChecked(),
-        )
+        self.display.show(Layers(**{name: self.actions_table[name].isChecked() for name in LAYERS}))
 
     @Slot()
     def _choose_theme(self) -> None:

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QWidget
 
 from app.view import words
 from app.view.actions import Actions, say
-from app.view.commands import MENUS, TOOLBAR
+from app.view.commands import MENUS, PALETTE, TOOLBAR
 from starskel.blending import COMPARED
 from starskel.files.examples import example, example_names
 
@@ -29,7 +29,7 @@ def fill_menu_bar(bar: QMenuBar, actions: Actions, submenus: Mapping[str, QMenu]
 
 def tool_bar(actions: Actions) -> QToolBar:
     """Give the toolbar."""
-    bar = QToolBar(translate("Menus", "Tools"))
+    bar = QToolBar(translate("Menus", "Commands"))
     bar.setObjectName("toolbar")
     bar.setMovable(False)
     bar.setIconSize(QSize(20, 20))
@@ -39,6 +39,18 @@ def tool_bar(actions: Actions) -> QToolBar:
             bar.addAction(actions[name])
         else:
             bar.addSeparator()
+    return bar
+
+
+def tool_palette(actions: Actions) -> QToolBar:
+    """Give the bar of tools at the left of the window; their names are in their tips and in the menu."""
+    bar = QToolBar(translate("Menus", "Drawing Tools"))
+    bar.setObjectName("palette")
+    bar.setMovable(False)
+    bar.setOrientation(Qt.Orientation.Vertical)
+    bar.setIconSize(QSize(24, 24))
+    for name in PALETTE:
+        bar.addAction(actions[name])
     return bar
 
 

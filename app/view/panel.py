@@ -1,68 +1,17 @@
 """A method's panel: its name, its verdict, its frame at t."""
 
-import numpy as np
-from PySide6.QtCore import QEvent, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette, QResizeEvent
+from PySide6.QtCore import QEvent
+from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from app.compute import MethodState
 from app.session import Session
 from app.view import verdicts, words
-from app.view.camera import Camera
 from app.view.display import Display
-from app.view.drawing import painting
-from app.view.frame_painter import FramePainter
+from app.view.frame_view import FrameView
 from app.view.player import Player
 from app.view.theme import theme_of
 from starskel.predicates import Floats
-
-
-class FrameView(QWidget):
-    """Shows the frame of one blend at the player's t."""
-
-    def __init__(self, player: Player, display: Display, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._player = player
-        self._display = display
-        self._state = MethodState()
-        self.message = ""
-        self._extent: Floats = np.empty((0, 2))
-        self._camera = Camera()
-        self.setMinimumSize(120, 90)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        player.t_changed.connect(self.update)
-        display.changed.connect(self.update)
-
-    def show_blend(self, state: MethodState, extent: Floats, message: str) -> None:
-        """Show another blend; the extent is what must fit in, the message is for when there is none."""
-        self._state, self._extent, self.message = state, extent, message
-        self._aim()
-        self.update()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        self._aim()
-
-    def _aim(self) -> None:
-        self._camera = Camera().resized(self.width(), self.height()).fitting(self._extent, margin=14)
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        with painting(self) as painter:
-            self._paint(painter)
-
-    def _paint(self, painter: QPainter) -> None:
-        theme = theme_of(self.palette())
-        painter.fillRect(self.rect(), QColor(theme.base))
-        result = self._state.result
-        if result is not None:
-            t = self._player.t
-            FramePainter(painter, theme, self._camera, self._display).paint(
-                result.blend, t, crosses=verdicts.crosses_at(result.report, t), stale=self._state.stale
-            )
-        if self.message:
-            painter.setPen(QColor(theme.muted))
-            frame = QRectF(self.rect()).adjusted(14, 10, -14, -10)
-            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-            painter.drawText(frame, flags, self.message)
 
 
 class Panel(QWidget):
@@ -83,7 +32,7 @@ class Panel(QWidget):
         self.verdict.setAccessibleName(self.tr("Verdict on {method}").format(method=words.method(method)))
         # a long verdict is cut off, and whole in its tip, rather than making the window wider
         self.verdict.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self.view = FrameView(player, display)
+        self.view = FrameView(session, player, display)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(2)
@@ -120,7 +69,9 @@ class Panel(QWidget):
         text = verdicts.summary(state.result.report)
         if state.stale:
             return "… " + self.tr("{verdict} (out of date)").format(verdict=text), theme.muted
-        return ("✓ " + text, theme.simple) if state.result.report.simple else ("✕ " + text, theme.refused)
+        if state.result.report.simple:
+            return "✓ " + text, theme.simple
+        return ("≈ " if state.result.report.natural else "✕ ") + text, theme.refused
 
     def _tip(self, state: MethodState) -> str:
         if state.error is not None:

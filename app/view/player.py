@@ -4,6 +4,7 @@ from time import monotonic
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal, Slot
 
+from app.model.easing import Easing
 from app.playback import Playback, Repeat
 
 TICK = 16
@@ -40,6 +41,11 @@ class Player(QObject):
         return self._playback.repeat
 
     @property
+    def easing(self) -> Easing:
+        """How t runs over the time."""
+        return self._playback.easing
+
+    @property
     def speed(self) -> float:
         """How many times faster than usual."""
         return self._playback.speed
@@ -71,6 +77,24 @@ class Player(QObject):
     @Slot()
     def to_end(self) -> None:
         self.seek(1.0)
+
+    @Slot()
+    def step_back(self) -> None:
+        """Stop, and show the frame before."""
+        self._become(self._playback.step(-1, monotonic()))
+
+    @Slot()
+    def step_forward(self) -> None:
+        """Stop, and show the next frame."""
+        self._become(self._playback.step(1, monotonic()))
+
+    def stop_at(self, t: float) -> None:
+        """Stop, and show this moment."""
+        self.pause()
+        self.seek(t)
+
+    def set_easing(self, easing: Easing) -> None:
+        self._become(self._playback.eased(easing, monotonic()))
 
     def set_repeat(self, repeat: Repeat) -> None:
         self._become(self._playback.repeating(repeat, monotonic()))

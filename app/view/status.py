@@ -52,8 +52,7 @@ class Status(QStatusBar):
     def _show_busy(self, busy: bool) -> None:
         self.progress.setVisible(busy)
         self.stop.setVisible(busy)
-        if not busy:
-            self.work.setText(self._outcome())
+        self.work.setText(self.tr("Computing…") if busy else self._outcome())
 
     def _outcome(self) -> str:
         states = self._session.results.values()

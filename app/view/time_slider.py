@@ -60,7 +60,7 @@ class TimeSlider(QSlider):
         painter.setBrush(QColor(theme_of(self.palette()).refused))
         span = self.width() - 2 * self.inset
         for shown in self._session.results.values():
-            for start, stop in crossing_spans(shown.result.report) if shown.result is not None else ():
+            for start, stop, _ in crossing_spans(shown.result.report) if shown.result is not None else ():
                 place = QPointF(self.inset + start * span, 0)
                 painter.drawRect(QRectF(place.x(), 1, max((stop - start) * span, 2.0), 3))
 

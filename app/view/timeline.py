@@ -1,6 +1,6 @@
 """Timeline: the clock's controls, and below them the chart over the same stretch of t."""
 
-from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, QSize, Qt, Slot
+from PySide6.QtCore import QPointF, QSignalBlocker, QSize, Qt, Slot
 from PySide6.QtGui import QAction, QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QComboBox,
@@ -15,9 +15,11 @@ from app.playback import Repeat
 from app.session import Session
 from app.view import words
 from app.view.actions import Actions
+from app.view.chart_layout import ChartLayout
 from app.view.drawing import painting
+from app.view.easing_button import EasingButton
 from app.view.player import Player
-from app.view.strip_chart import LANE, StripChart, method_pen
+from app.view.strip_chart import StripChart, method_pen
 from app.view.theme import theme_of
 from app.view.time_slider import TimeSlider
 
@@ -49,11 +51,13 @@ class Timeline(QWidget):
     def _controls(self, actions: Actions) -> QHBoxLayout:
         row = QHBoxLayout()
         row.setSpacing(4)
-        for name in ("to-start", "play"):
+        for name in ("to-start", "step-back", "play", "step-forward"):
             row.addWidget(_button(actions[name]))
         row.addSpacing(6)
         row.addWidget(self._repeat_field())
         row.addWidget(self._speed_field())
+        self.easing = EasingButton(self._player)
+        row.addWidget(self.easing)
         return row
 
     def _repeat_field(self) -> QComboBox:
@@ -130,21 +134,21 @@ class Legend(QWidget):
     def _paint(self, painter: QPainter) -> None:
         theme = theme_of(self.palette())
         methods = self._session.document.methods
-        lanes = self.height() - LANE * len(methods)
+        places = ChartLayout(self.width(), self.height(), 0.0, len(methods))
         font = painter.font()
         font.setPointSizeF(8.0)
         painter.setFont(font)
         painter.setPen(QColor(theme.muted))
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        painter.drawText(QRectF(0, 0, self.width() - 4, lanes), right, self.tr("Area drift"))
+        for plot, text in ((places.area, self.tr("Area drift")), (places.lengths, self.tr("Length drift"))):
+            painter.drawText(plot.adjusted(0, 0, -4, 0), right, text)
         for number, method in enumerate(methods):
-            middle = lanes + LANE * (number + 0.5) - 0.5
+            lane = places.lane(number)
             painter.setPen(method_pen(theme, number))
-            painter.drawLine(QPointF(self.width() - 34, middle), QPointF(self.width() - 4, middle))
+            middle = lane.center().y()
+            painter.drawLine(QPointF(lane.right() - 34, middle), QPointF(lane.right() - 4, middle))
             painter.setPen(QColor(theme.muted))
-            name = words.method(method)
-            width = painter.fontMetrics().horizontalAdvance(name)
-            painter.drawText(QPointF(self.width() - 40 - width, middle + 4), name)
+            painter.drawText(lane.adjusted(0, 0, -40, 0), right, words.method(method))
 
 
 def _button(action: QAction) -> QToolButton:

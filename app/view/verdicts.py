@@ -1,12 +1,18 @@
 """What a report says, in a few words and in many, and where over t its blend crosses itself."""
 
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
 import numpy as np
 from PySide6.QtCore import QCoreApplication
 
 from starskel.quality import Report
-from starskel.sheet.words import percent, spans
+from starskel.sheet.words import crossing_words, percent, spans
 
 translate = QCoreApplication.translate
+
+HARDLY = 1e-6
+"""Moments nearer to each other count as one."""
 
 
 def summary(report: Report) -> str:
@@ -14,6 +20,8 @@ def summary(report: Report) -> str:
     area = percent(report.area_deviation)
     if report.simple:
         return translate("Verdict", "simple, area {area}").format(area=area)
+    if report.natural:
+        return translate("Verdict", "natural crossing, area {area}").format(area=area)
     first = f"{report.crossing_times[0]:.2f}".removeprefix("0")
     return translate("Verdict", "crosses at t = {t}, area {area}").format(t=first, area=area)
 
@@ -22,11 +30,7 @@ def details(report: Report) -> str:
     """Give all figures, a line each."""
     times = report.times.tolist()
     lines = [
-        translate("Verdict", "No frame crosses itself.")
-        if report.simple
-        else translate("Verdict", "Frames cross themselves at t = {times}.").format(
-            times=spans(times, report.crossing_frames)
-        ),
+        *_crossings(report),
         translate("Verdict", "Area drifts by up to {p}.").format(p=percent(report.area_deviation)),
         translate("Verdict", "Edge lengths drift by {p} on average.").format(
             p=percent(report.length_deviation)
@@ -43,13 +47,56 @@ def details(report: Report) -> str:
     return "\n".join(lines)
 
 
+def _crossings(report: Report) -> list[str]:
+    if report.simple:
+        if report.proven:
+            return [translate("Verdict", "Never crosses itself: proven for every t.")]
+        return [translate("Verdict", "No frame crosses itself.")]
+    lines = [translate("Verdict", "Crosses itself at t = {times}.").format(times=crossing_words(report))]
+    if report.natural:
+        lines.append(translate("Verdict", "That is natural: the shape lies over itself in layers."))
+    elif report.natural_frames:
+        text = translate("Verdict", "Natural in {n} of {all} frames: the shape lies over itself in layers.")
+        lines.append(text.format(n=len(report.natural_frames), all=len(report.crossing_frames)))
+    return lines
+
+
 def crosses_at(report: Report, t: float) -> bool:
     """Tell whether the frame that was measured nearest to t crosses itself."""
-    return bool(report.crossings[round(t * (len(report.times) - 1))])
+    return bool(report.crosses[round(t * (len(report.times) - 1))])
 
 
-def crossing_spans(report: Report) -> list[tuple[float, float]]:
-    """Give the stretches of t from the first to the last crossing frame in a row."""
-    edges = np.diff(np.concatenate([[0], report.crossings.astype(np.int8), [0]]))
-    starts, stops = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1) - 1
-    return [(float(report.times[a]), float(report.times[b])) for a, b in zip(starts, stops, strict=True)]
+class Span(NamedTuple):
+    """A stretch of t in which a blend crosses itself, from its first to its last such frame in a row."""
+
+    start: float
+    stop: float
+    natural: bool
+
+
+def crossing_spans(report: Report) -> list[Span]:
+    """Give the stretches of crossing frames, naturally crossing ones apart from others."""
+    spans = [
+        Span(float(report.times[run[0]]), float(report.times[run[-1]]), natural)
+        for natural, frames in ((True, report.natural_frames), (False, report.harmful_frames))
+        for run in _runs(frames)
+    ]
+    return sorted(spans) or [Span(each.t, each.t, each.natural) for each in report.crossings]
+
+
+def _runs(frames: Sequence[int]) -> list[list[int]]:
+    """Divide numbers into runs without a gap."""
+    runs: list[list[int]] = []
+    for frame in frames:
+        if runs and frame == runs[-1][-1] + 1:
+            runs[-1].append(frame)
+        else:
+            runs.append([frame])
+    return runs
+
+
+def next_crossing(reports: Iterable[Report], t: float) -> float | None:
+    """Give the next moment after t when one of the blends begins to cross itself, or else the first."""
+    starts = sorted({span.start for report in reports for span in crossing_spans(report)})
+    later = [start for start in starts if start > t + HARDLY]
+    return next(iter([*later, *starts]), None)

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
 from app.model.document import Document
-from app.model.marks import Side
+from app.model.marks import Side, witness
 from starskel.correspondence.marks import Mark
 from starskel.errors import InvalidMarks, InvalidPolygon, StarskelError
 
@@ -29,6 +29,22 @@ def step(name: str) -> str:
 def hint(text: str) -> str:
     """Give what a tool says about itself."""
     return translate("Hint", text)
+
+
+def catch(kind: str, angle: int) -> str:
+    """Give the word for what catches the pointer."""
+    return {
+        "vertex": translate("Catch", "vertex"),
+        "aligned": translate("Catch", "level with a vertex"),
+        "edge": translate("Catch", "edge"),
+        "angle": translate("Catch", "{angle}°").format(angle=angle),
+        "grid": translate("Catch", "grid"),
+    }[kind]
+
+
+def lost_marks(count: int) -> str:
+    """Say that an edit took marks away."""
+    return translate("News", "%n marks went with this edit. Undo brings them back.", "", count)
 
 
 def method(name: str) -> str:
@@ -70,11 +86,22 @@ def _marks_reason(first: Mark, second: Mark, document: Document) -> str:
             "Refusal", "This vertex already has {first}. Remove that pin first, or take another vertex."
         )
     else:
-        text = translate(
+        text = _order_reason(witness(document.marks, first, second), document)
+    return _capitalised(text.format(first=_named(first, document), second=_named(second, document)))
+
+
+def _order_reason(third: Mark | None, document: Document) -> str:
+    if third is None:
+        return translate(
             "Refusal",
             "{second} would cross {first}: going round, they come in different orders on the two shapes.",
         )
-    return _capitalised(text.format(first=_named(first, document), second=_named(second, document)))
+    text = translate(
+        "Refusal",
+        "{{second}} would cross {{first}}: after {third}, going round, one of them comes first on the source "
+        "and the other on the target. Take another vertex, or move or remove a pin.",
+    )
+    return text.format(third=_named(third, document))
 
 
 def _named(pair: Mark, document: Document) -> str:

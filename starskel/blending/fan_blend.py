@@ -8,7 +8,7 @@ import numpy as np
 
 from starskel.blending.fans import Fans, fans_of
 from starskel.blending.frames import placed, with_exact_ends
-from starskel.blending.mesh import Mesh
+from starskel.blending.improvement import with_better_hubs
 from starskel.blending.pieces import PieceBlend
 from starskel.decomposition.pieces import Decomposition
 from starskel.outline import precedes
@@ -42,22 +42,24 @@ class FanBlend(PieceBlend):
         self._backwards = precedes(decomposition.target, decomposition.source)
         forwards = _exchanged(decomposition) if self._backwards else decomposition
         watched = task or Task()
-        fans = fans_of(forwards, watched)
-        watched.reach(0.02)
         self._pair = forwards.pair
-        self._hubs = fans.hubs
-        mesh, self._motion = self._prepared(fans, watched.part(0.02, 1))
-        ends = np.stack([as_points(mesh.source), as_points(mesh.target)])
-        self.errors = self._placed(np.array([0.0, 1.0])) - ends
+        self._fans = with_better_hubs(fans_of(forwards, watched), len(forwards.source), watched)
+        watched.reach(0.02)
+        self._move_by(self._prepared(self._fans, watched.part(0.02, 1)))
 
     @abstractmethod
-    def _prepared(self, fans: Fans, task: Task) -> tuple[Mesh, Motion]:
-        """Give the mesh of the fans and how it moves."""
+    def _prepared(self, fans: Fans, task: Task) -> Motion:
+        """Give the motion of the points of the fans."""
+
+    def _move_by(self, motion: Motion) -> None:
+        self._motion = motion
+        ends = np.stack([self._fans.source, self._fans.target])
+        self.errors = self._placed(np.array([0.0, 1.0])) - ends
 
     def _points(self, ts: Floats) -> tuple[Floats, Floats]:
         times = 1 - ts if self._backwards else ts
         points = with_exact_ends(self._placed(times), times, self.errors)
-        origins = np.stack([points[:, hub].mean(axis=1) for hub in self._hubs], axis=1)
+        origins = np.stack([points[:, hub].mean(axis=1) for hub in self._fans.hubs], axis=1)
         return points[:, : len(self.decomposition.source)], origins
 
     def _placed(self, ts: Floats) -> Floats:

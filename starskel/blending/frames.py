@@ -27,8 +27,12 @@ class Blend(ABC):
         The star pieces, where the method has them.
     skeleton : Skeleton or None
         The skeleton, where the method has one.
+    key_times : (k,) array or None
+        The times between which every vertex moves evenly on a straight line, 0 and 1 included; None where
+        vertices move otherwise.
     """
 
+    key_times: Floats | None = None
     decomposition: Decomposition | None = None
     skeleton: Skeleton | None = None
 

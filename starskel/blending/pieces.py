@@ -3,6 +3,7 @@
 from abc import abstractmethod
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from starskel.blending.frames import Blend, checked_times
 from starskel.decomposition.pieces import Decomposition
@@ -33,6 +34,10 @@ class PieceBlend(Blend):
         """Give the (m, 2) points at t whose rows the pieces name: the frame, then Steiner vertices."""
         points: Floats = self._points(checked_times([t]))[0][0]
         return points
+
+    def inside(self, ts: ArrayLike) -> Floats:
+        """Give the points of `points_at` and then the k star origins, at each time: (times, m + k, 2)."""
+        return np.concatenate(self._points(checked_times(ts)), axis=1)
 
     def skeleton_at(self, t: float) -> Floats:
         """Give the points of the skeleton at t: the k star origins, then the k - 1 mid-points."""

@@ -8,8 +8,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from starskel.blending.mesh import triangle_areas
-from starskel.blending.stitch import Graph, Stitch, length_weights
+from starskel.blending.fans import Fans
+from starskel.blending.improvement import with_better_edges
+from starskel.blending.mesh import mesh_of, triangle_areas
+from starskel.blending.stitch import Graph, Stitch, edge_weights, graph_of
 from starskel.outline import Flags, cross_themselves
 from starskel.polar import as_points
 from starskel.predicates import Floats
@@ -25,26 +27,41 @@ class Rung(NamedTuple):
         How much more the edges of the outline insist than those inside.
     dial : float
         How much areas are corrected.
+    yielding : float
+        How much less distorted parts insist.
+    flipped : bool
+        Whether edges of the fans are flipped.
+    rounds : int
+        How often to stiffen what is squeezed, at most.
     """
 
     on_ring: float
     dial: float
+    yielding: float
+    flipped: bool
+    rounds: int = 12
 
 
-LADDER = (Rung(3, 1), Rung(3, 0.5), Rung(3, 0), Rung(10, 0), Rung(1, 0), Rung(30, 0))
-"""What is tried in turn, the most pleasing balance first."""
+LADDER = (
+    Rung(on_ring=3, dial=1, yielding=1, flipped=True, rounds=1),
+    Rung(on_ring=1, dial=1, yielding=1, flipped=False),
+    Rung(on_ring=3, dial=1, yielding=0, flipped=False),
+    Rung(on_ring=1, dial=1, yielding=0, flipped=False),
+    Rung(on_ring=10, dial=0.5, yielding=2, flipped=True),
+    Rung(on_ring=10, dial=0, yielding=0, flipped=False),
+)
+"""What is tried in turn, the most pleasing balance first; each of the others settles pairs that those before
+it do not.
+"""
 
-ROUNDS = 12
-"""The most rounds of stiffening on each rung."""
-
-CHECKED = 128
-"""Frames looked at. A look at 64 missed crossings between them in 4 of 234 pairs."""
+CHECKED = 512
+"""Frames looked at. A look at 64 missed crossings between them in 4 of 234 pairs, one at 128 in 1."""
 
 TIMES = np.linspace(0, 1, CHECKED + 2)[1:-1]
 """When these frames are: the ends need no look."""
 
 _GLANCE = 4
-"""Of large polygons only every so many-th frame is looked at first, the others where these do not cross."""
+"""Only every so many-th frame is looked at first, the others where these do not cross."""
 
 _SQUEEZED = 0.2
 """Triangles under this part of their area are squeezed."""
@@ -52,21 +69,49 @@ _SQUEEZED = 0.2
 _STIFFER = 3.0
 """The factor on the weights round a squeezed triangle, in each round."""
 
-_MOST_POINTS = 2_000_000
-"""Polygons are large where the frames of all rounds would have more vertices than this, all together."""
+_MOST_POINTS = 4_000_000
+"""Fewer rounds where the frames looked at first would have more vertices than this, all together."""
 
 _BATCH = 16_000
 """So many vertices are looked at before asking again whether to stop: under a tenth of a second's work."""
 
 
-def stiffened(graph: Graph, count: int, task: Task) -> Stitch:
-    """Give the stitch with the fewest crossing frames, the first of those.
+class Graphs:
+    """The graphs of a pair's fans, with and without flipped edges, each made when it is first asked for.
 
     Parameters
     ----------
-    graph : Graph
+    fans : Fans
     count : int
-        How many of its points belong to the outline.
+        How many of their points belong to the outline.
+    """
+
+    def __init__(self, fans: Fans, count: int) -> None:
+        self._fans = fans
+        self._made: dict[bool, Graph] = {}
+        self.count = count
+
+    def of(self, rung: Rung, task: Task) -> Graph:
+        """Give the one that a rung stands on."""
+        if rung.flipped not in self._made:
+            fans = with_better_edges(self._fans, task) if rung.flipped else self._fans
+            self._made[rung.flipped] = graph_of(mesh_of(fans, self.count))
+        return self._made[rung.flipped]
+
+
+def plainest(graphs: Graphs, task: Task) -> Stitch:
+    """Give the most pleasing stitch, whether it crosses or not."""
+    rung = LADDER[0]
+    graph = graphs.of(rung, task)
+    return Stitch.of(graph, edge_weights(graph.mesh, rung.on_ring, rung.yielding), rung.dial)
+
+
+def better(graphs: Graphs, task: Task) -> Iterator[Stitch]:
+    """Give stitches, each with fewer crossing frames than the plainest and all before; the last is the best.
+
+    Parameters
+    ----------
+    graphs : Graphs
     task : Task
 
     Raises
@@ -74,26 +119,28 @@ def stiffened(graph: Graph, count: int, task: Task) -> Stitch:
     Cancelled
         If the task is told to stop.
     """
-    found: list[tuple[float, Stitch]] = []
+    fewest = np.inf
     for number, rung in enumerate(LADDER):
-        for crossings, stitch in _attempts(graph, rung, count, task.part(number / len(LADDER), 1)):
+        for crossings, stitch in _attempts(graphs, rung, task.part(number / len(LADDER), 1)):
+            if crossings < fewest < np.inf:
+                yield stitch
+            fewest = min(fewest, crossings)
             if not crossings:
-                return stitch
-            found.append((crossings, stitch))
-    return min(found, key=lambda attempt: attempt[0])[1]
+                return
 
 
-def _attempts(graph: Graph, rung: Rung, count: int, task: Task) -> Iterator[tuple[float, Stitch]]:
+def _attempts(graphs: Graphs, rung: Rung, task: Task) -> Iterator[tuple[float, Stitch]]:
     """Give stitches, each stiffer where the one before was squeezed, and their shares of crossing frames."""
-    base = length_weights(graph.mesh, rung.on_ring)
+    graph, count = graphs.of(rung, task), graphs.count
+    base = edge_weights(graph.mesh, rung.on_ring, rung.yielding)
     stiffness = np.ones(len(graph.mesh.source))
-    rounds, glance = _effort(count)
-    for _ in range(rounds):
+    affordable = _MOST_POINTS * _GLANCE // (CHECKED * len(LADDER) * count)
+    for _ in range(max(1, min(rung.rounds, affordable))):
         weights = base * np.sqrt(stiffness[graph.mesh.edges].prod(axis=1))
         stitch = Stitch.of(graph, weights, rung.dial)
-        times = TIMES[glance // 2 :: glance]
+        times = TIMES[_GLANCE // 2 :: _GLANCE]
         crossing = _crossing(stitch, times, count, task)
-        if glance > 1 and not crossing.any():
+        if not crossing.any():
             times = np.setdiff1d(TIMES, times)
             crossing = _crossing(stitch, times, count, task)
         yield float(crossing.mean()), stitch
@@ -101,14 +148,6 @@ def _attempts(graph: Graph, rung: Rung, count: int, task: Task) -> Iterator[tupl
         if not squeezed.any():
             return
         stiffness[np.unique(graph.mesh.triangles[squeezed])] *= _STIFFER
-
-
-def _effort(count: int) -> tuple[int, int]:
-    """Give how many rounds are worth while on a rung, and which part of the frames to look at first."""
-    frames = _MOST_POINTS // (len(LADDER) * count)
-    if frames >= ROUNDS * CHECKED:
-        return ROUNDS, 1
-    return max(1, min(ROUNDS, frames * _GLANCE // CHECKED)), _GLANCE
 
 
 def _crossing(stitch: Stitch, ts: Floats, count: int, task: Task) -> Flags:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from starskel.blending.distortion import Shapes
 from starskel.blending.laplacian import Factored, factor
 from starskel.blending.mesh import Mesh, triangle_areas
 from starskel.polar import Complex, as_complex, as_points
@@ -19,7 +20,13 @@ REACH = 0.3
 """How far area corrections are smoothed, as a part of the size."""
 
 CLIP = 4.0
-"""The largest factor by which a triangle's area is corrected."""
+"""The largest factor by which a triangle's area is corrected at once."""
+
+PASSES = 2
+"""How often areas are corrected: what is left after the first time is less than half."""
+
+MOST_DISTORTED = 10.0
+"""Distortions count as no more than this, and as this where triangles have no area."""
 
 _LEAST_MASS = 1e-3
 """The least mass of a triangle, as a part of the mean: no point may be left without any."""
@@ -112,11 +119,12 @@ class Stitch:
         """Give all points of the mesh at each t, (k, m), up to a translation."""
         wishes = self.graph.mesh.wishes.at(ts)
         points = self._nearest(wishes)
-        if not self.dial:
-            return points
-        growth = self._growth(points, ts)
         i, j = self.graph.mesh.edges.T
-        return self._nearest(wishes * np.exp((growth[:, i] + growth[:, j]) / 2))
+        for _ in range(PASSES if self.dial else 0):
+            growth = self._growth(points, ts)
+            wishes = wishes * np.exp((growth[:, i] + growth[:, j]) / 2)
+            points = self._nearest(wishes)
+        return points
 
     def _nearest(self, wishes: Complex) -> Complex:
         """Solve: the points whose edges come nearest to the wishes."""
@@ -146,9 +154,25 @@ def _relative_lengths(mesh: Mesh) -> Floats:
     return np.asarray(np.maximum(mesh.lengths / mesh.size, SHORTEST))
 
 
-def length_weights(mesh: Mesh, on_ring: float) -> Floats:
-    """Give the weights 1 / length^2, those of the outline's edges times a factor."""
-    return np.asarray(np.where(mesh.on_ring, on_ring, 1.0) / _relative_lengths(mesh) ** 2)
+def edge_weights(mesh: Mesh, on_ring: float, yielding: float) -> Floats:
+    """Give the weights of the edges: 1 / length^2, those of the outline times a factor.
+
+    Parts that keep their shape shall do so all the time: an edge inside insists the less the more its
+    triangles are distorted from source to target, by that power of the distortion.
+    """
+    inside = edge_distortions(mesh) ** -yielding
+    return np.asarray(np.where(mesh.on_ring, on_ring, inside) / _relative_lengths(mesh) ** 2)
+
+
+def edge_distortions(mesh: Mesh) -> Floats:
+    """Give for each edge the geometric mean of its triangles' distortions, 1 where they keep their shape."""
+    shapes = Shapes.of(mesh.source, mesh.target, mesh.triangles)
+    least = 2 * np.add(*shapes.areas(mesh.triangles))
+    has_area = shapes.have_area(mesh.triangles)
+    ratios = np.where(has_area, shapes.distortions(mesh.triangles), np.inf) / np.where(has_area, least, 1.0)
+    logarithms = np.log(np.clip(ratios, 1.0, MOST_DISTORTED))
+    uses = np.bincount(mesh.sides.ravel(), minlength=len(mesh.edges))
+    return np.asarray(np.exp(_sums(mesh.sides, logarithms, len(mesh.edges)) / uses))
 
 
 def _sums(places: Indices, values: Floats, count: int) -> Floats:

@@ -4,7 +4,6 @@ import math
 import sys
 from argparse import Namespace
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 from statistics import median
 
 import msgspec
@@ -12,13 +11,25 @@ import msgspec
 from starskel.blending import COMPARED
 from starskel.command import FAILED
 from starskel.command.methods import blends
-from starskel.command.opening import Opened, opened
+from starskel.command.opening import Opened, named, opened
 from starskel.errors import StarskelError
 from starskel.files.documents import document_text
-from starskel.quality import Report, measure
-from starskel.sheet.words import percent, verdict
+from starskel.quality import Distortion, Report, measure
+from starskel.sheet.words import crossing_counts, percent
 
-FORMAT = "starskel-figures/1"
+FORMAT = "starskel-figures/2"
+
+_LONGEST_NAME = 23
+"""Longer names of pairs are cut in the table."""
+
+
+class Moment(msgspec.Struct, frozen=True):
+    """A crossing: when, whether it is natural, and where edges meet that should not."""
+
+    t: float
+    frame: int | None
+    natural: bool
+    places: list[list[float]]
 
 
 class Figures(msgspec.Struct, frozen=True):
@@ -28,11 +39,38 @@ class Figures(msgspec.Struct, frozen=True):
     method: str
     vertices: int
     simple: bool
+    proven: bool
     crossing_times: list[float]
+    natural_frames: int
+    harmful_frames: int
+    crossings: list[Moment]
     negative_length_times: list[float]
     area_deviation: float
     length_deviation: float
     angle_deviation: float
+    roughness: float
+    inside: Distortion | None
+
+    @classmethod
+    def of(cls, pair_id: str, method: str, vertices: int, report: Report) -> "Figures":
+        """Take over what can be written as numbers."""
+        return cls(
+            id=pair_id,
+            method=method,
+            vertices=vertices,
+            simple=report.simple,
+            proven=report.proven,
+            crossing_times=list(report.crossing_times),
+            natural_frames=len(report.natural_frames),
+            harmful_frames=len(report.harmful_frames),
+            crossings=[Moment(c.t, c.frame, c.natural, c.places.tolist()) for c in report.crossings],
+            negative_length_times=report.times[list(report.negative_lengths)].tolist(),
+            area_deviation=report.area_deviation,
+            length_deviation=report.length_deviation,
+            angle_deviation=report.angle_deviation,
+            roughness=report.roughness,
+            inside=report.inside,
+        )
 
 
 class _Failure(msgspec.Struct, frozen=True):
@@ -63,7 +101,7 @@ def run(arguments: Namespace) -> int:
                     table.add(figures, report)
         except StarskelError as error:
             failures.append(_Failure(pair_id, str(error)))
-            print(f"starskel: {_named(error, pair_id, arguments.file)}", file=sys.stderr)
+            print(f"starskel: {named(error, pair_id, arguments.file)}", file=sys.stderr)
     if table is None:
         print(document_text(_Document(FORMAT, arguments.frames, found, failures)), end="")
     else:
@@ -78,57 +116,52 @@ def _ids(file: Opened, asked: Sequence[str] | None) -> Sequence[str]:
     return asked or file.ids
 
 
-def _named(error: StarskelError, pair_id: str, path: Path) -> str:
-    text = str(error)
-    return text if text.startswith(str(path)) else f'{path}: pair "{pair_id}": {text}'
-
-
 def _measured(
     file: Opened, pair_id: str, methods: Sequence[str], frames: int
 ) -> Iterator[tuple[Figures, Report]]:
     for method, blend in blends(file.pair(pair_id), methods):
         report = measure(blend, frames)
-        figures = Figures(
-            pair_id,
-            method,
-            len(blend.pair),
-            report.simple,
-            list(report.crossing_times),
-            report.times[list(report.negative_lengths)].tolist(),
-            report.area_deviation,
-            report.length_deviation,
-            report.angle_deviation,
-        )
-        yield figures, report
+        yield Figures.of(pair_id, method, len(blend.pair), report), report
 
 
 class _Table:
-    """A line for each pair and method, printed as soon as it is known."""
+    """A line for each pair and method, printed as soon as it is known; it fits into 100 columns."""
 
     def __init__(self, ids: Sequence[str], methods: Sequence[str]) -> None:
-        self._widths = max(4, *map(len, ids)), max(6, *map(len, methods))
+        self._widths = min(_LONGEST_NAME, max(4, *map(len, ids))), max(6, *map(len, methods))
         self._methods = methods
-        self._print("pair", "method", "area", "length", "angle", "verdict")
+        self._print("pair", "method", "area", "length", "angle", "stretch", "rough", "verdict")
 
     def add(self, figures: Figures, report: Report) -> None:
         self._print(
-            figures.id,
+            _shortened(figures.id),
             figures.method,
             percent(figures.area_deviation),
             percent(figures.length_deviation),
             f"{math.degrees(figures.angle_deviation):.1f} deg",
-            verdict(report),
+            percent(report.inside.stretch - 1) if report.inside else "-",
+            f"{100 * figures.roughness:.2f} %",
+            crossing_counts(report),
         )
 
     def end(self, found: Sequence[Figures]) -> None:
         print()
         for method in self._methods:
             own = [figures for figures in found if figures.method == method]
-            simple = sum(figures.simple for figures in own)
+            simple, proven = (sum(f.simple and f.proven >= known for f in own) for known in (False, True))
+            natural = sum(not f.simple and not f.harmful_frames for f in own)
             drift = percent(median(figures.area_deviation for figures in own)) if own else "-"
-            print(f"{method:{self._widths[1]}}  {simple} of {len(own)} simple, median area drift {drift}")
+            print(
+                f"{method:{self._widths[1]}}  {simple} of {len(own)} simple ({proven} proven),"
+                f" {natural} crossing naturally, median area drift {drift}"
+            )
 
     def _print(self, *cells: str) -> None:
-        pair_id, method, area, length, angle, words = cells
+        pair_id, method, area, length, angle, stretch, rough, words = cells
         name, verb = self._widths
-        print(f"{pair_id:{name}}  {method:{verb}}  {area:>7} {length:>7} {angle:>9}  {words}", flush=True)
+        row = f"{pair_id:{name}}  {method:{verb}} {area:>6} {length:>6} {angle:>8} {stretch:>7} {rough:>7}"
+        print(f"{row}  {words}", flush=True)
+
+
+def _shortened(name: str) -> str:
+    return name if len(name) <= _LONGEST_NAME else name[: _LONGEST_NAME - 3] + "..."

@@ -1,6 +1,6 @@
 """Several methods on one pair, which is decomposed but once."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from starskel.blending.blend import blend
 from starskel.blending.frames import Blend
@@ -10,8 +10,17 @@ from starskel.decomposition.pieces import Decomposition
 from starskel.files.pairs import ShapePair
 
 
-def blends(pair: ShapePair, methods: Sequence[str]) -> Iterator[tuple[str, Blend]]:
+def blends(
+    pair: ShapePair, methods: Sequence[str], watch: Callable[[str, float], None] | None = None
+) -> Iterator[tuple[str, Blend]]:
     """Blend a pair by each of the methods in turn, and give each blend under the method's name.
+
+    Parameters
+    ----------
+    pair : ShapePair
+    methods : sequence of str
+    watch : callable, optional
+        Called with the method under way and the fraction of all that is done; else each method shows a bar.
 
     Raises
     ------
@@ -20,8 +29,15 @@ def blends(pair: ShapePair, methods: Sequence[str]) -> Iterator[tuple[str, Blend
     """
     matched = match(pair.source, pair.target, pair.marks)
     decomposition: Decomposition | None = None
-    for method in methods:
-        with Progress(f"{pair.id}: {method}") as progress:
+    for number, method in enumerate(methods):
+        with Progress(f"{pair.id}: {method}") as bar:
+            progress = bar if watch is None else _shared(watch, method, number, len(methods))
             made = blend(matched, method=method, decomposition=decomposition, progress=progress)
         decomposition = made.decomposition or decomposition
         yield method, made
+
+
+def _shared(
+    watch: Callable[[str, float], None], method: str, number: int, count: int
+) -> Callable[[float], None]:
+    return lambda fraction: watch(method, (number + fraction) / count)

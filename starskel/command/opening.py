@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from starskel.errors import InvalidFile
+from starskel.errors import InvalidFile, StarskelError
 from starskel.files import pairs, project
 from starskel.files.documents import check_format
 from starskel.files.pairs import ShapePair, read_pairs
@@ -58,6 +58,12 @@ def chosen_pair(path: Path, pair_id: str | None) -> ShapePair:
             )
         pair_id = file.ids[0]
     return file.pair(pair_id)
+
+
+def named(error: StarskelError, pair_id: str, path: Path) -> str:
+    """Give what an error says, and of which pair of which file where it does not tell."""
+    text = str(error)
+    return text if text.startswith(str(path)) else f'{path}: pair "{pair_id}": {text}'
 
 
 def _project_pair(path: Path) -> ShapePair:

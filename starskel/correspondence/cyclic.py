@@ -1,70 +1,85 @@
-"""Which salient vertices of two outlines correspond: the cheapest alignment once round.
+"""Which salient vertices of two outlines may correspond: the cheapest alignments once round.
 
-The prices are works in the manner of Sederberg and Greenwood 1992, "A Physically Based Approach to 2-D Shape
-Blending": of bending, at a vertex and over longer reaches, and of stretching, as the drift of the shares of
-the length. Besides, after the rotation that fits the whole shape best, a vertex should lie in the same place
-and the outline run the same way there; that rotation has its price, for people expect the upright alignment.
+To the mean price of all landmarks comes that of turning the whole shape: people expect it to stay upright.
 """
+
+from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
 from starskel.correspondence.alignment import Prices, align, alignment_prices
-from starskel.correspondence.landmarks import EXACT_DIGITS, Complexes, Indices, Landmarks
+from starskel.correspondence.landmarks import EXACT_DIGITS, Indices, Landmarks
+from starskel.correspondence.works import SHAPES, Starts, Works, prices_from, rotations
 from starskel.predicates import Floats
 from starskel.task import Task
 
-STRETCH_PRICE = 1.0
-"""The price of a difference in share by the whole length."""
-
-TURN_PRICE = 0.3
-"""The price of a difference in turning angle by pi; so are the others of angles."""
-
-BEND_PRICE = 0.2
-PLACE_PRICE = 0.1
-"""The price of a distance by the radius of gyration."""
-
-DIRECTION_PRICE = 0.05
-ALONE_PRICE = 0.2
-"""The price of a landmark without a partner, beside that of its turning angle."""
-
-LEAST_WEIGHT = 0.2
-"""The weight of a match where neither outline bends at all, against one of right angles."""
-
-ROTATION_PRICE = 0.1
-"""The price, for each landmark, of turning the whole shape by pi."""
+ROTATION_PRICE = 0.15
+"""The price of turning the whole shape by pi."""
 
 _BATCH = 32
 """So many starts are priced together: what they need stays in the processor's cache."""
 
-_SALIENT, _COUNTERPARTS = 8, 32
+_PHASES = 16
+"""So many ways to turn one outline along the other are told apart."""
+
+_SALIENT, _COUNTERPARTS = 6, 24
 """So many landmarks of each outline, the most salient, are tried as starts with so many of the other."""
 
 
-def aligned_landmarks(first: Landmarks, second: Landmarks, task: Task) -> tuple[Indices, Indices]:
-    """Give which landmarks of both correspond, in the order round the outlines."""
+@dataclass(frozen=True, eq=False)
+class Alignment:
+    """Landmarks of both outlines that correspond, in the order round both from the start."""
+
+    first: Indices
+    second: Indices
+
+
+def alignments(first: Landmarks, second: Landmarks, works: Works, task: Task) -> Iterator[Alignment]:
+    """Give the cheapest alignment for each way to turn one outline along the other, the cheapest first."""
     i, j = _starts(first.saliences, second.saliences)
-    totals = np.concatenate(
-        [
-            _totals(first, second, (i[k : k + _BATCH], j[k : k + _BATCH]), task)
-            for k in range(0, len(i), _BATCH)
-        ]
-    )
-    best = [int(np.argmin(totals.round(EXACT_DIGITS)))]
-    _, prices = _prices_from(first, second, (i[best], j[best]))
+    batches = [(i[k : k + _BATCH], j[k : k + _BATCH]) for k in range(0, len(i), _BATCH)]
+    totals = np.concatenate([_totals(first, second, starts, works, task) for starts in batches])
+    phases = np.floor(((second.shares[j] - first.shares[i]).round(EXACT_DIGITS) * _PHASES + 0.5) % _PHASES)
+    taken = set()
+    for k in np.argsort(totals.round(EXACT_DIGITS), kind="stable"):
+        if phases[k] not in taken:
+            taken.add(phases[k])
+            yield _alignment(first, second, (i[k : k + 1], j[k : k + 1]), works, task)
+
+
+def price(first: Landmarks, second: Landmarks, alignment: Alignment) -> float:
+    """Give the price of an alignment of shapes that bend somewhat."""
+    starts = alignment.first[:1], alignment.second[:1]
+    starting, prices = prices_from(first, second, starts, SHAPES)
+    i = (alignment.first[1:] - starts[0]) % len(first) - 1
+    j = (alignment.second[1:] - starts[1]) % len(second) - 1
+    alone = np.delete(prices.first_alone[0], i).sum() + np.delete(prices.second_alone[0], j).sum()
+    works = starting[0] + prices.match[0, i, j].sum() + alone
+    return float(works / max(len(first), len(second)) + _turning_prices(first, second, starts)[0])
+
+
+def _alignment(first: Landmarks, second: Landmarks, starts: Starts, works: Works, task: Task) -> Alignment:
+    """Give the cheapest alignment that matches two landmarks."""
+    _, prices = prices_from(first, second, starts, works)
     one = Prices(prices.match[0], prices.first_alone[0], prices.second_alone[0])
     pairs = np.array([(-1, -1), *align(one, task)], dtype=np.intp) + 1
-    return (i[best] + pairs[:, 0]) % len(first), (j[best] + pairs[:, 1]) % len(second)
+    return Alignment((starts[0] + pairs[:, 0]) % len(first), (starts[1] + pairs[:, 1]) % len(second))
 
 
-def _totals(first: Landmarks, second: Landmarks, starts: tuple[Indices, Indices], task: Task) -> Floats:
+def _totals(first: Landmarks, second: Landmarks, starts: Starts, works: Works, task: Task) -> Floats:
     """Give the price of the cheapest alignment from each of the starts."""
     task.reach(0)
-    starting, prices = _prices_from(first, second, starts)
-    rotations = ROTATION_PRICE / np.pi * np.abs(np.angle(_rotations(first, second, starts)))
-    return np.asarray(starting + alignment_prices(prices, task) + rotations * max(len(first), len(second)))
+    starting, prices = prices_from(first, second, starts, works)
+    totals = (starting + alignment_prices(prices, task)) / max(len(first), len(second))
+    return np.asarray(totals + _turning_prices(first, second, starts))
 
 
-def _starts(first: Floats, second: Floats) -> tuple[Indices, Indices]:
+def _turning_prices(first: Landmarks, second: Landmarks, starts: Starts) -> Floats:
+    return np.asarray(ROTATION_PRICE / np.pi * np.abs(np.angle(rotations(first, second, starts))))
+
+
+def _starts(first: Floats, second: Floats) -> Starts:
     """Give the pairs of landmarks to try, from their saliences."""
     ranks = [
         np.argsort(np.argsort(-saliences.round(EXACT_DIGITS), kind="stable")) for saliences in (first, second)
@@ -72,61 +87,3 @@ def _starts(first: Floats, second: Floats) -> tuple[Indices, Indices]:
     lower, higher = np.minimum.outer(*ranks), np.maximum.outer(*ranks)
     i, j = np.nonzero((lower < _SALIENT) & (higher < _COUNTERPARTS))
     return i, j
-
-
-def _bending_prices(first: Landmarks, second: Landmarks) -> Floats:
-    """Give the price of the difference in turns and bends, for each pair of landmarks."""
-    turns = np.abs(np.subtract.outer(first.turns, second.turns))
-    bends = np.mean(
-        [_angles(np.subtract.outer(a, b)) for a, b in zip(first.bends[1:], second.bends[1:], strict=True)],
-        axis=0,
-    )
-    return np.asarray(TURN_PRICE / np.pi * turns + BEND_PRICE / np.pi * bends)
-
-
-def _angles(differences: Floats) -> Floats:
-    return np.abs((differences + np.pi) % (2 * np.pi) - np.pi)
-
-
-def _rotations(first: Landmarks, second: Landmarks, starts: tuple[Indices, Indices]) -> Complexes:
-    """Give the rotations that bring the first outline nearest to the second, in least squares."""
-    products = np.conj(first.samples[starts[0]]) * second.samples[starts[1]]
-    return np.asarray(np.exp(1j * np.angle(products.sum(axis=1))))
-
-
-def _prices_from(
-    first: Landmarks, second: Landmarks, starts: tuple[Indices, Indices]
-) -> tuple[Floats, Prices]:
-    """Give the prices of matching the starts, and those for all other landmarks in order from there."""
-    rows, columns = (
-        (start[:, None] + np.arange(len(outline))) % len(outline)
-        for start, outline in zip(starts, (first, second), strict=True)
-    )
-    shares = [
-        (outline.shares[order] - outline.shares[start][:, None]) % 1
-        for outline, order, start in zip((first, second), (rows, columns), starts, strict=True)
-    ]
-    match = _bending_prices(first, second)[rows[:, :, None], columns[:, None, :]]
-    match += STRETCH_PRICE * np.abs(shares[0][:, :, None] - shares[1][:, None, :])
-    rotations = _rotations(first, second, starts)[:, None]
-    positions = first.positions[rows] * rotations
-    match += PLACE_PRICE * np.abs(positions[:, :, None] - second.positions[columns][:, None, :])
-    directions = first.directions[rows] * rotations
-    ratios = directions[:, :, None] * np.conj(second.directions[columns])[:, None, :]
-    match += DIRECTION_PRICE / np.pi * np.abs(np.angle(ratios))
-    match *= _weights(first, second)[rows[:, :, None], columns[:, None, :]]
-    alone = [ALONE_PRICE + TURN_PRICE / np.pi * np.abs(outline.turns) for outline in (first, second)]
-    rest = Prices(match[:, 1:, 1:], alone[0][rows[:, 1:]], alone[1][columns[:, 1:]])
-    return match[:, 0, 0], rest
-
-
-def _weights(first: Landmarks, second: Landmarks) -> Floats:
-    """Tell how much a match counts: that of tips and notches more than that of points on long bends."""
-    return np.asarray(LEAST_WEIGHT + 2 * np.maximum.outer(first.saliences, second.saliences))
-
-
-def likeness(first: Landmarks, second: Landmarks, i: Indices, j: Indices) -> Floats:
-    """Tell how much alike pairs of landmarks bend, from 0 to 1."""
-    bends = _angles(first.bends[:, i] - second.bends[:, j]).mean(axis=0)
-    turns = _angles(first.turns[i] - second.turns[j])
-    return np.asarray((1 - bends / np.pi) * (1 - turns / np.pi))

@@ -10,14 +10,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from starskel.errors import InvalidPolygon
 from starskel.outline import edge_lengths, edge_vectors, turning_angles
+from starskel.points import points_of
+from starskel.polar import Complex
+from starskel.polygon import crossing_edges
 from starskel.predicates import Floats
 from starskel.task import Task
+from starskel.triangulation import triangulate
 
 Indices = NDArray[np.intp]
-Complexes = NDArray[np.complex128]
 
-MOST = 64
+MOST = 48
 """So many vertices of an outline are compared, at most."""
 
 _REACHES = (1 / 64, 1 / 32, 1 / 16, 1 / 8)
@@ -56,6 +60,8 @@ class Landmarks:
         Where they lie, and where the outline runs there.
     samples : (k, samples) array of complex
         The outline at equal steps, from each of them on.
+    diagonals : (m, 2) array of int
+        The landmarks that a triangulation of that outline joins across; none where the outline is not simple.
     """
 
     vertices: Indices
@@ -63,9 +69,10 @@ class Landmarks:
     shares: Floats
     turns: Floats
     bends: Floats
-    positions: Complexes
-    directions: Complexes
-    samples: Complexes
+    positions: Complex
+    directions: Complex
+    samples: Complex
+    diagonals: Indices
 
     @classmethod
     def of(cls, ring: Floats, task: Task) -> "Landmarks":
@@ -75,15 +82,9 @@ class Landmarks:
         lengths = edge_lengths(kept)
         shares = np.concatenate([[0.0], np.cumsum(lengths)]) / lengths.sum()
         centred = _normalized(kept, lengths)
-
-        def point(share: Floats) -> Complexes:
-            closed = np.append(centred, centred[0])
-            return np.asarray(
-                np.interp(share % 1, shares, closed.real) + 1j * np.interp(share % 1, shares, closed.imag)
-            )
-
         own, reaches = shares[:-1], np.array(_REACHES)[:, None]
-        before, after = centred - point(own - reaches), point(own + reaches) - centred
+        before = centred - points_along(centred, own, own - reaches)
+        after = points_along(centred, own, own + reaches) - centred
         bends = np.angle(after * np.conj(before))
         steps = (np.arange(_SAMPLES) + 0.5) / _SAMPLES
         return cls(
@@ -94,14 +95,35 @@ class Landmarks:
             bends=bends,
             positions=centred,
             directions=np.exp(1j * np.angle(before[0] + after[0])),
-            samples=point(own[:, None] + steps),
+            samples=points_along(centred, own, own[:, None] + steps),
+            diagonals=_diagonals(kept),
         )
 
     def __len__(self) -> int:
         return len(self.vertices)
 
 
-def _normalized(ring: Floats, lengths: Floats) -> Complexes:
+def points_along(positions: Complex, own: Floats, shares: Floats) -> Complex:
+    """Give the points at some shares of an outline's length, from its vertices and their own shares."""
+    closed, ends = np.append(positions, positions[0]), np.append(own, 1.0)
+    parts = (np.interp(shares % 1, ends, part) for part in (closed.real, closed.imag))
+    return np.asarray(next(parts) + 1j * next(parts))
+
+
+def _diagonals(ring: Floats) -> Indices:
+    """Give the pairs of vertices that a triangulation of the ring joins, (m, 2)."""
+    n = len(ring)
+    if len(crossing_edges(ring)):
+        return np.empty((0, 2), dtype=np.intp)
+    try:
+        triangles = triangulate(points_of(ring), np.arange(n)).triangles
+    except InvalidPolygon:  # it all but touches itself
+        return np.empty((0, 2), dtype=np.intp)
+    sides = np.concatenate([triangles, np.roll(triangles, -1, axis=1)]).reshape(2, -1).T
+    return np.asarray(sides[(sides[:, 0] < sides[:, 1]) & ((sides[:, 1] - sides[:, 0]) % (n - 1) > 1)])
+
+
+def _normalized(ring: Floats, lengths: Floats) -> Complex:
     """Put the outline's centre of mass at the origin and make its radius of gyration 1."""
     middles = ring + edge_vectors(ring) / 2
     centre = lengths @ middles / lengths.sum()

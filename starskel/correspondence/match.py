@@ -8,7 +8,7 @@ import shapely
 from numpy.typing import ArrayLike, NDArray
 
 from starskel.correspondence.alignment import Chain, align, chain_prices
-from starskel.correspondence.insertion import inserted, merged
+from starskel.correspondence.insertion import Rows, inserted, merged
 from starskel.correspondence.marks import Mark, as_marks, checked_marks
 from starskel.correspondence.pair import Correspondence
 from starskel.correspondence.proposal import proposed_marks
@@ -63,10 +63,10 @@ def match(
     own = checked_marks(*polygons, given)
     rings = polygons[0].vertices, polygons[1].vertices
     if precedes(rings[1], rings[0]):
-        points, vertices = _completed(rings[::-1], [(j, i) for i, j in own], task)
+        points, vertices = _completed(rings[::-1], ("target", "source"), [(j, i) for i, j in own], task)
         points, vertices = points[::-1], vertices[::-1]
     else:
-        points, vertices = _completed(rings, own, task)
+        points, vertices = _completed(rings, ("source", "target"), own, task)
     start = int(np.flatnonzero(vertices[0] == 0)[0])
     source_ring, target_ring = (_read_only(np.roll(ring, -start, axis=0)) for ring in points)
     source_rows, target_rows = (_read_only(np.roll(rows, -start)) for rows in vertices)
@@ -80,16 +80,28 @@ def as_polygon(shape: PolygonLike, side: str) -> Polygon:
     try:
         return Polygon(shape)
     except InvalidPolygon as error:
-        raise InvalidPolygon(f"{side}: {error.what}", error.mend, error.vertices, error.place) from None
+        raise _blaming(side, error) from None
+
+
+def _blaming(side: str, error: InvalidPolygon) -> InvalidPolygon:
+    return InvalidPolygon(f"{side}: {error.what}", error.mend, error.vertices, error.place)
 
 
 def _completed(
-    rings: tuple[Floats, Floats], marks: list[Mark], task: Task
+    rings: tuple[Floats, Floats], names: tuple[str, str], marks: list[Mark], task: Task
 ) -> tuple[tuple[Floats, Floats], NDArray[np.intp]]:
     """Give both rings with as many points, and for each of these the vertex, or -1."""
     matched = _aligned(*rings, sorted(marks) or proposed_marks(rings, UNMARKED, task), task)
     rows = merged(rings, np.array(matched, dtype=np.intp))
-    return (inserted(rings[0], rows, 0), inserted(rings[1], rows, 1)), rows.vertices
+    return (_filled(rings[0], rows, 0, names[0]), _filled(rings[1], rows, 1, names[1])), rows.vertices
+
+
+def _filled(ring: Floats, rows: Rows, number: int, side: str) -> Floats:
+    """Give the ring with a point for every row; errors say whether it is the source or the target."""
+    try:
+        return inserted(ring, rows, number)
+    except InvalidPolygon as error:
+        raise _blaming(side, error) from None
 
 
 def _aligned(source: Floats, target: Floats, marks: list[Mark], task: Task) -> list[Mark]:

@@ -2,9 +2,10 @@
 
 import numpy as np
 
-from starskel.correspondence.cyclic import aligned_landmarks, likeness
+from starskel.correspondence.choice import best_alignment
 from starskel.correspondence.landmarks import EXACT_DIGITS, Landmarks
 from starskel.correspondence.marks import Mark
+from starskel.correspondence.works import likeness
 from starskel.predicates import Floats
 from starskel.task import Task
 
@@ -18,7 +19,8 @@ NEAREST = 0.25
 def proposed_marks(rings: tuple[Floats, Floats], count: int, task: Task) -> list[Mark]:
     """Give at least one and at most `count` pairs of vertices, in the order of the first."""
     outlines = Landmarks.of(rings[0], task), Landmarks.of(rings[1], task)
-    first, second = aligned_landmarks(*outlines, task)
+    best = best_alignment(*outlines, task)
+    first, second = best.first, best.second
     saliences = np.minimum(outlines[0].saliences[first], outlines[1].saliences[second])
     values = saliences * likeness(*outlines, first, second)
     chosen = _spread(values, (outlines[0].shares[first], outlines[1].shares[second]), count)

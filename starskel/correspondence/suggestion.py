@@ -18,10 +18,11 @@ def suggest_marks(
     """Propose vertices that correspond, from the shapes alone.
 
     The salient vertices of both outlines are aligned once round, in order, at the least work of stretching
-    and bending (in the manner of Sederberg and Greenwood 1992); of the pairs those are taken that are most
-    salient and alike, well spread round the outline. Position and scale of the shapes do not matter; of
-    rotations the smaller is preferred, where it fits about as well. Exchanging the shapes gives the same
-    marks mirrored.
+    and bending (in the manner of Sederberg and Greenwood 1992), from many starts; the cheapest alignments are
+    tried by a quick blend, and the best of them is taken. Of its pairs those are marked that are most salient
+    and alike, well spread round the outline. Position and scale of the shapes do not matter; of rotations the
+    smaller is preferred, where it fits about as well, but a copy that is only turned is found at any angle.
+    Exchanging the shapes gives the same marks mirrored.
 
     Parameters
     ----------

@@ -9,6 +9,7 @@ from starskel.decomposition.links import links_of
 from starskel.decomposition.minimal import Piece, minimal_pieces
 from starskel.decomposition.pieces import Decomposition
 from starskel.decomposition.reduce import reduce
+from starskel.decomposition.rivals import by_rivals
 from starskel.decomposition.tiling import Tiling
 from starskel.decomposition.transfer import transfer
 from starskel.errors import NoDecomposition, StarskelError
@@ -95,7 +96,7 @@ def _minimal(tiling: Tiling, whole: Piece, steiner: bool, task: Task) -> Tiling:
             "the two polygons have no compatible star decomposition without Steiner vertices",
             "allow Steiner vertices, or change the marks",
         )
-    tiling = climb(tiling, whole, task.part(0.5, 0.9))
+    tiling = climb(tiling, whole, by_rivals, task.part(0.5, 0.9))
     return reduce(tiling, len(whole), task.part(0.9, 1))
 
 

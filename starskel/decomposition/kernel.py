@@ -1,11 +1,16 @@
 """Kernels: from where a ring is seen whole."""
 
+from collections.abc import Sequence
+from typing import TypeVar
+
 import numpy as np
+from numpy.typing import NDArray
 
 from starskel.points import Indices, Points, points_of
-from starskel.polygon import signed_area
 from starskel.predicates import ROUNDING, Floats
 from starskel.visibility import Relation
+
+Entry = TypeVar("Entry", bound=np.generic)
 
 _AT_ONCE = 64
 
@@ -22,66 +27,115 @@ def star_vertices(points: Points, ring: Indices) -> Relation:
 
 
 def star_point(points: Points, ring: Indices) -> Floats | None:
-    """Give a point strictly inside the kernel: the kernel's centroid; None where the kernel has no inside.
+    """Give a point strictly inside the kernel: the kernel's centroid; None where the kernel has no inside."""
+    places, areas = star_points(points, [ring])
+    return places[0] if areas[0] > 0 else None
 
-    The answer is proven by exact predicates; a kernel too thin for floats to name a point in it is none.
+
+def star_points(points: Points, rings: Sequence[Indices]) -> tuple[Floats, Floats]:
+    """Give for many rings over points the centroids of their kernels, and the kernels' areas.
+
+    Exact predicates prove that the centroid is strictly to the left of all edges, and that the ring goes
+    round it once. So the ring is simple, counter-clockwise and seen whole from there. Where that cannot be
+    proven the area is 0, also where a kernel is too thin for floats to name a point in it.
+
+    Returns
+    -------
+    (k, 2) and (k,) arrays
     """
-    cell = _clip(points.coordinates[ring[_corners(points, ring)]])
-    if len(cell) < 3:
-        return None
-    centre = _centroid(cell)
-    sides = points.with_free(centre[None]).orientation(
-        ring, np.roll(ring, -1), np.array(len(points.coordinates))
+    if not len(rings):
+        return np.empty((0, 2)), np.empty(0)
+    counts = np.array([len(ring) for ring in rings])
+    vertices = np.concatenate(rings)
+    owner = np.repeat(np.arange(len(rings)), counts)
+    first = np.cumsum(counts) - counts
+    before, after = np.arange(len(vertices)) - 1, np.arange(len(vertices)) + 1
+    before[first], after[first + counts - 1] = first + counts - 1, first
+    corner = points.orientation(vertices[before], vertices, vertices[after]) != 0  # others bound nothing
+    places, areas = _kernels(
+        points.coordinates[vertices[corner]], np.bincount(owner[corner], minlength=len(rings))
     )
-    return centre if (sides > 0).all() else None
+    placed = points.with_free(places)
+    sides = placed.orientation(vertices, vertices[after], len(points.coordinates) + owner)
+    above = points.coordinates[vertices, 1] > places[owner, 1]
+    turns = np.bincount(owner[above[after] & ~above], minlength=len(rings))
+    proven = np.logical_and.reduceat(sides > 0, first) & (turns == 1)
+    return places, np.where(proven, areas, 0.0)
 
 
 def is_star_point(ring: Floats, place: Floats) -> bool:
     """Tell whether a place, known up to rounding, sees the whole of a simple ring, its boundary included."""
     points = points_of(ring)
-    start = ring[_corners(points, np.arange(len(ring)))]
+    turns = points.orientation(*(np.roll(np.arange(len(ring)), step) for step in (1, 0, -1)))
+    start = ring[np.flatnonzero(turns)]
     edge = np.roll(start, -1, axis=0) - start
     normal = np.stack([-edge[:, 1], edge[:, 0]], axis=1) / np.hypot(*edge.T)[:, None]
     inward = (normal * (place - start)).sum(axis=1)
     return bool((inward >= -ROUNDING * np.abs(ring).max()).all())
 
 
-def _corners(points: Points, ring: Indices) -> Indices:
-    """Give the places in the ring of its corners; straight vertices bound nothing."""
-    return np.flatnonzero(points.orientation(np.roll(ring, 1), ring, np.roll(ring, -1)))
+def _kernels(corners: Floats, counts: Indices) -> tuple[Floats, Floats]:
+    """Cut the boxes of rings to the left sides of all edges: centroids and areas of what is left."""
+    centroids, areas = np.zeros((len(counts), 2)), np.zeros(len(counts))
+    alive = np.flatnonzero(counts > 2)
+    corners = corners[np.repeat(counts > 2, counts)]
+    first = np.zeros(len(counts), dtype=np.intp)
+    first[alive] = np.cumsum(counts[alive]) - counts[alive]
+    cells = _boxes(corners, first[alive])
+    step = 0
+    while len(alive):
+        at, after = first[alive] + step, first[alive] + (step + 1) % counts[alive]
+        cells, left = _clip(cells, corners[at], corners[after])
+        alive = alive[left]
+        step += 1
+        done = counts[alive] == step
+        centroids[alive[done]], areas[alive[done]] = _centroids(cells[done])
+        cells, alive = cells[~done], alive[~done]
+    return centroids, areas
 
 
-def _clip(ring: Floats) -> Floats:
-    """Cut the box of the ring to the left sides of all edges."""
-    if not len(ring):  # all vertices lie on one line
-        return ring
-    (left, low), (right, high) = ring.min(axis=0), ring.max(axis=0)
-    cell = np.array([(left, low), (right, low), (right, high), (left, high)])
-    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
-        side = (b[0] - a[0]) * (cell[:, 1] - a[1]) - (b[1] - a[1]) * (cell[:, 0] - a[0])
-        if side.min() >= 0:
-            continue
-        if side.max() <= 0:
-            return cell[:0]
-        cell = _cut(cell, side)
-    return cell
+def _boxes(corners: Floats, first: Indices) -> Floats:
+    """Give the (k, 4, 2) boxes of rings that follow each other, counter-clockwise."""
+    if not len(first):
+        return np.empty((0, 4, 2))
+    (left, low), (right, high) = np.minimum.reduceat(corners, first).T, np.maximum.reduceat(corners, first).T
+    return np.stack([left, low, right, low, right, high, left, high], axis=1).reshape(-1, 4, 2)
 
 
-def _cut(cell: Floats, side: Floats) -> Floats:
-    """Keep the part of a convex cell where the side is not negative."""
-    following, beyond = np.roll(cell, -1, axis=0), np.roll(side, -1)
+def _clip(cells: Floats, start: Floats, end: Floats) -> tuple[Floats, Relation]:
+    """Keep the parts of convex cells to the left of lines; tell from which cells anything is left."""
+    way = (end - start)[:, None]
+    off = cells - start[:, None]
+    side = way[..., 0] * off[..., 1] - way[..., 1] * off[..., 0]
+    if (side >= 0).all():
+        return cells, np.ones(len(cells), dtype=bool)
+    left = side.max(axis=1) > 0
+    if not left.any():
+        return cells[left], left
+    cells, side = cells[left], side[left]
+    following, beyond = np.roll(cells, -1, axis=1), np.roll(side, -1, axis=1)
     crossing = side * beyond < 0
     share = np.divide(side, side - beyond, out=np.zeros_like(side), where=crossing)
-    corners = np.stack([cell, cell + share[:, None] * (following - cell)], axis=1)
-    kept: Floats = corners[np.stack([side >= 0, crossing], axis=1)]
-    return kept
+    corners = _interleaved(cells, cells + share[..., None] * (following - cells))
+    kept = _interleaved(side >= 0, crossing)
+    count = kept.sum(axis=1)
+    order = np.argsort(~kept, axis=1, kind="stable")
+    slots = np.minimum(np.arange(count.max()), count[:, None] - 1)
+    return np.take_along_axis(corners, np.take_along_axis(order, slots, axis=1)[..., None], axis=1), left
 
 
-def _centroid(cell: Floats) -> Floats:
-    area = signed_area(cell)
-    if not area > 0:
-        return np.asarray(cell.mean(axis=0))
-    base = cell[0]
-    a, b = cell[1:-1] - base, cell[2:] - base
-    doubled = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
-    return np.asarray(base + (doubled[:, None] * (a + b)).sum(axis=0) / (6 * area))
+def _interleaved(first: NDArray[Entry], second: NDArray[Entry]) -> NDArray[Entry]:
+    """Give the entries of two arrays in turn, along axis 1."""
+    k, m, *rest = first.shape
+    return np.stack([first, second], axis=2).reshape(k, 2 * m, *rest)
+
+
+def _centroids(cells: Floats) -> tuple[Floats, Floats]:
+    """Give the centroids and the areas of convex cells."""
+    base = cells[:, :1]
+    a, b = cells[:, 1:-1] - base, cells[:, 2:] - base
+    doubled = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
+    areas = doubled.sum(axis=1) / 2
+    weighted = (doubled[..., None] * (a + b)).sum(axis=1)
+    offset = np.divide(weighted, 6 * areas[:, None], out=np.zeros_like(weighted), where=areas[:, None] > 0)
+    return base[:, 0] + offset, np.maximum(areas, 0.0)

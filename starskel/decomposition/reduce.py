@@ -4,14 +4,17 @@ Both moves keep the edges cancelling in pairs, so the pieces go on tiling both p
 them is simple and counter-clockwise in both (see verify.py).
 """
 
+from collections.abc import Iterable
 from itertools import pairwise
 
 import numpy as np
 
 from starskel.decomposition.minimal import Piece
 from starskel.decomposition.tiling import Tiling
-from starskel.polygon import crossing_edges, signed_area
 from starskel.task import Task
+
+AT_ONCE = 1 << 13
+"""Vertices of rings that are looked at between two questions whether to stop."""
 
 
 def reduce(tiling: Tiling, n: int, task: Task) -> Tiling:
@@ -26,62 +29,84 @@ def reduce(tiling: Tiling, n: int, task: Task) -> Tiling:
 
 
 class _Reduction:
-    """Pieces in change; what was found out about a ring of vertices is remembered."""
+    """Pieces in change, in rounds of moves that do not touch one another.
+
+    What a round may ask about rings is found out for all of them together, and remembered.
+    """
 
     def __init__(self, tiling: Tiling, n: int, task: Task) -> None:
-        self.pieces = list(tiling.pieces)
+        self.pieces = dict.fromkeys(tiling.pieces)
         self._tiling = tiling
         self._n = n
         self._task = task
         self._stars: dict[Piece, bool] = {}
-        self._pieces: dict[Piece, bool] = {}
+        self._common: dict[Piece, bool] = {}
 
     def merge(self) -> bool:
-        """Merge neighbours while the union is a star piece, across the longest edges first."""
+        """Merge neighbours whose union is a star piece, across the longest edges first."""
+        neighbours = _neighbouring(self._tiling, self.pieces)
+        unions = [union(first, second) for first, second in neighbours]
+        self._look_at(ring for ring in unions if ring is not None)
         merged = False
-        for first, second in _neighbouring(self._tiling, self.pieces):
-            self._task.reach(0)
-            if first not in self.pieces or second not in self.pieces:
-                continue
-            whole = union(first, second)
-            if whole is not None and self._is_star(whole):
-                self.pieces.remove(first)
-                self.pieces[self.pieces.index(second)] = whole
-                merged = True
+        for pair, ring in zip(neighbours, unions, strict=True):
+            if ring is not None and self._is_star(ring):
+                merged |= self._replace(pair, [ring])
         return merged
 
     def collapse(self) -> bool:
-        """Collapse every Steiner vertex into a neighbour where that can be done."""
-        vertices = sorted({v for piece in self.pieces for v in piece if v >= self._n}, reverse=True)
-        return True in [self._collapse(vertex) for vertex in vertices]
+        """Collapse Steiner vertices into neighbours."""
+        around: dict[int, list[Piece]] = {}
+        for piece in self.pieces:
+            for vertex in piece:
+                if vertex >= self._n:
+                    around.setdefault(vertex, []).append(piece)
+        moves = [
+            (pieces, shrunk)
+            for vertex, pieces in sorted(around.items(), reverse=True)
+            for shrunk in _collapses(vertex, pieces)
+        ]
+        self._look_at(ring for _, shrunk in moves for ring in shrunk)
+        collapsed = False
+        for pieces, shrunk in moves:
+            if all(self._stars[ring] for ring in shrunk):
+                collapsed |= self._replace(pieces, shrunk)
+        return collapsed
 
-    def _collapse(self, vertex: int) -> bool:
-        self._task.reach(0)
-        around = [piece for piece in self.pieces if vertex in piece]
-        for neighbour in sorted({v for piece in around for v in _neighbours(piece, vertex)}):
-            shrunk = [_renamed(piece, vertex, neighbour) for piece in around]
-            if None not in shrunk and all(self._is_piece(piece) for piece in shrunk if piece):
-                self.pieces = [piece for piece in self.pieces if vertex not in piece]
-                self.pieces += [piece for piece in shrunk if piece]
-                return True
-        return False
+    def _is_star(self, ring: Piece) -> bool:
+        """Tell whether a union of pieces is star-shaped, if only from a common vertex."""
+        if not self._stars[ring] and ring not in self._common:
+            self._common[ring] = self._tiling.has_common_star_vertex(ring)
+        return self._stars[ring] or self._common[ring]
 
-    def _is_star(self, piece: Piece) -> bool:
-        if piece not in self._stars:
-            self._stars[piece] = self._tiling.is_star(piece)
-        return self._stars[piece]
+    def _replace(self, before: Iterable[Piece], after: Iterable[Piece]) -> bool:
+        """Put pieces in the place of others, unless one of these is gone already."""
+        if not all(piece in self.pieces for piece in before):
+            return False
+        for piece in before:
+            del self.pieces[piece]
+        self.pieces.update(dict.fromkeys(after))
+        return True
 
-    def _is_piece(self, piece: Piece) -> bool:
-        """Tell whether a ring of vertices is simple, counter-clockwise and star-shaped in both polygons."""
-        if piece not in self._pieces:
-            rings = [side.coordinates[list(piece)] for side in (self._tiling.source, self._tiling.target)]
-            self._pieces[piece] = (
-                all(signed_area(ring) > 0 for ring in rings)
-                and not self._tiling.is_flat(piece)
-                and self._is_star(piece)
-                and not any(len(crossing_edges(ring)) for ring in rings)  # last, as it takes longest
-            )
-        return self._pieces[piece]
+    def _look_at(self, rings: Iterable[Piece]) -> None:
+        """Find out which rings are simple, counter-clockwise and star-shaped in both polygons."""
+        waiting = [ring for ring in dict.fromkeys(rings) if ring not in self._stars]
+        while waiting:
+            self._task.reach(0)
+            ends = np.cumsum([len(ring) for ring in waiting])
+            count = 1 + int(np.searchsorted(ends[1:], AT_ONCE))
+            stars = self._tiling.are_stars(waiting[:count])
+            self._stars.update(zip(waiting, stars.tolist(), strict=False))
+            waiting = waiting[count:]
+
+
+def _collapses(vertex: int, around: list[Piece]) -> list[list[Piece]]:
+    """Give what becomes of the pieces round a vertex where it is moved onto each of its neighbours."""
+    moves = []
+    for neighbour in sorted({v for piece in around for v in _neighbours(piece, vertex)}):
+        shrunk = [_renamed(piece, vertex, neighbour) for piece in around]
+        if None not in shrunk:
+            moves.append([piece for piece in shrunk if piece])
+    return moves
 
 
 def _neighbours(piece: Piece, vertex: int) -> tuple[int, int]:
@@ -98,7 +123,7 @@ def _renamed(piece: Piece, vertex: int, name: int) -> Piece | None:
     return _from_least(kept) if len(kept) > 2 else ()
 
 
-def _neighbouring(tiling: Tiling, pieces: list[Piece]) -> list[tuple[Piece, Piece]]:
+def _neighbouring(tiling: Tiling, pieces: Iterable[Piece]) -> list[tuple[Piece, Piece]]:
     owner = {edge: piece for piece in pieces for edge in _edges(piece)}
     shared = sorted((a, b) for a, b in owner if a < b and (b, a) in owner)
     ends = np.array(shared, dtype=np.intp).reshape(-1, 2)

@@ -5,10 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from starskel.decomposition.kernel import star_point, star_vertices
+from starskel.decomposition.kernel import star_points, star_vertices
 from starskel.decomposition.minimal import Piece
 from starskel.points import Points
 from starskel.predicates import Floats
+from starskel.visibility import Relation
 
 NOWHERE = np.empty((0, 2))
 
@@ -53,16 +54,21 @@ class Tiling:
         """Give the tiling with source and target exchanged."""
         return Tiling(self.target, self.source, self.pieces)
 
-    def is_flat(self, piece: Piece) -> bool:
-        """Tell whether all vertices of a piece lie on one line, in the source or in the target."""
-        ring = np.array(piece)
-        before, after = np.roll(ring, 1), np.roll(ring, -1)
-        return not all(side.orientation(before, ring, after).any() for side in (self.source, self.target))
-
     def is_star(self, piece: Piece) -> bool:
         """Tell whether a simple ring of vertices has a common star vertex, or kernels with an inside."""
+        return self.has_common_star_vertex(piece) or bool(self.are_stars([piece])[0])
+
+    def has_common_star_vertex(self, piece: Piece) -> bool:
+        """Tell whether one of its vertices sees the whole of a simple ring, in both polygons."""
         ring = np.array(piece)
-        common = star_vertices(self.source, ring) & star_vertices(self.target, ring)
-        if common.any():
-            return True
-        return star_point(self.source, ring) is not None and star_point(self.target, ring) is not None
+        stars = star_vertices(self.source, ring)
+        return bool(stars.any() and (stars & star_vertices(self.target, ring)).any())
+
+    def are_stars(self, pieces: Sequence[Piece]) -> Relation:
+        """Tell which rings of vertices are simple, counter-clockwise and have kernels with an inside."""
+        rings = [np.array(piece) for piece in pieces]
+        stars: Relation = np.ones(len(rings), dtype=bool)
+        for side in (self.source, self.target):
+            _, areas = star_points(side, [rings[k] for k in np.flatnonzero(stars)])
+            stars[stars] = areas > 0
+        return stars

@@ -16,7 +16,7 @@ at most, as it is itself as short as can be. That is O(n^2) Steiner vertices for
 import numpy as np
 
 from starskel.decomposition.convex import Cut, convex_cuts
-from starskel.decomposition.ladder import climb
+from starskel.decomposition.ladder import by_fan, climb
 from starskel.decomposition.minimal import Piece
 from starskel.decomposition.paths import bends_between
 from starskel.decomposition.tiling import Tiling
@@ -41,7 +41,7 @@ def transfer(tiling: Tiling, whole: Piece, task: Task) -> Tiling:
     parts = tiling.pieces
     for at, part in enumerate(parts):
         done = 0.7 + 0.3 * at / len(parts)
-        tiling = climb(tiling, part, task.part(done, done))
+        tiling = climb(tiling, part, by_fan, task.part(done, done))
     return tiling.swapped() if swap else tiling
 
 
@@ -57,7 +57,7 @@ def _fewer_cuts(tiling: Tiling, whole: Piece, task: Task) -> tuple[list[Cut], bo
         for i in (0, 1)
     ]
     swap = len(cuts[1]) < len(cuts[0])
-    return cuts[swap], swap
+    return [(whole[a], whole[b]) for a, b in cuts[swap]], swap
 
 
 def _price(ground: Triangulation, free: Relation) -> Floats:

@@ -12,8 +12,9 @@ import numpy as np
 
 from starskel.decomposition.kernel import is_star_point
 from starskel.decomposition.pieces import Decomposition
+from starskel.outline import signed_areas
 from starskel.points import Indices, Points, points_of
-from starskel.polygon import crossing_edges, signed_area
+from starskel.polygon import crossing_edges
 from starskel.predicates import Floats
 
 
@@ -58,7 +59,7 @@ def _piece_fault(points: Points, piece: Indices, origin: Floats) -> str:
     ring = points.coordinates[piece]
     if len(crossing_edges(ring)):
         return "is not simple"
-    if not signed_area(ring) > 0:
+    if not signed_areas(ring) > 0:
         return "is not counter-clockwise"
     if not is_star_point(ring, origin):
         return "is not seen whole from its origin"

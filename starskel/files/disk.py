@@ -47,6 +47,22 @@ def write_bytes(path: Path, content: bytes) -> None:
         raise InvalidFile(f"{path} cannot be written: {_reason(error)}", mend) from error
 
 
+def made_folder(path: Path) -> Path:
+    """Make a folder, and those above it, where there is none; give it.
+
+    Raises
+    ------
+    InvalidFile
+        If it cannot be made, saying why.
+    """
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        mend = "choose a folder, or a place where one may be made"
+        raise InvalidFile(f"{path} cannot be made a folder: {_reason(error)}", mend) from error
+    return path
+
+
 def _write_through(device: Path, content: bytes) -> None:
     """Write to what must not be replaced by a file: /dev/stdout, a named pipe."""
     with device.open("wb") as stream:

@@ -54,6 +54,12 @@ def cross_sign(place: Place, radius: float) -> Iterator[Item]:
     yield from _strokes(place, radius, [[(-0.42, -0.42), (0.42, 0.42)], [(-0.42, 0.42), (0.42, -0.42)]])
 
 
+def layers_sign(place: Place, radius: float) -> Iterator[Item]:
+    """Give the sign of a shape that meets itself, but only lies in layers: two white bars on a disc."""
+    yield Disc(place, radius, style.NATURAL)
+    yield from _strokes(place, radius, [[(-0.42, 0.22), (0.42, 0.22)], [(-0.42, -0.22), (0.42, -0.22)]])
+
+
 def tick_sign(place: Place, radius: float) -> Iterator[Item]:
     """Give the sign of a shape that nowhere meets itself: a white tick on a disc."""
     yield Disc(place, radius, style.SIMPLE)

@@ -1,21 +1,28 @@
 """The sheet that compares methods: a row for each, with its verdict, its figures and its frames."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from starskel.quality import Report
 from starskel.sheet import style
-from starskel.sheet.cell import cross_sign, tick_sign
-from starskel.sheet.drawing import Area, Drawing, Item, Label, Line
+from starskel.sheet.cell import cross_sign, layers_sign, tick_sign
+from starskel.sheet.drawing import Area, Colour, Drawing, Item, Label, Line, Place
 from starskel.sheet.keyframe import Keyframe
 from starskel.sheet.rows import Grid
-from starskel.sheet.words import figures, verdict
+from starskel.sheet.words import Kind, figures, kind_of, verdict
 
 _TITLE = 34.0
+_HEAD = 20.0
 _LINE = 12.0
 _SIGN = 4.0
+
+_SIGNS: dict[Kind, tuple[Callable[[Place, float], Iterator[Item]], Colour]] = {
+    "simple": (tick_sign, style.SIMPLE),
+    "natural": (layers_sign, style.NATURAL),
+    "harmful": (cross_sign, style.CROSSING),
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,8 +33,8 @@ class Row:
     ----------
     name : str
         The method.
-    simple : bool
-        Whether no frame meets itself.
+    kind : "simple", "natural" or "harmful"
+        Whether frames meet themselves, and how.
     verdict : str
         The same in words, saying when frames do.
     figures : tuple of str
@@ -37,7 +44,7 @@ class Row:
     """
 
     name: str
-    simple: bool
+    kind: Kind
     verdict: str
     figures: tuple[str, ...]
     frames: tuple[Keyframe, ...]
@@ -45,36 +52,33 @@ class Row:
     @classmethod
     def of(cls, name: str, report: Report, frames: tuple[Keyframe, ...]) -> "Row":
         """Give the row of a method that was measured."""
-        return cls(name, report.simple, verdict(report), figures(report), frames)
+        return cls(name, kind_of(report), verdict(report), figures(report), frames)
 
 
-def comparison_sheet(title: str, rows: Sequence[Row]) -> Drawing:
-    """Give the rows under one another, all in one scale."""
+def comparison_sheet(title: str, rows: Sequence[Row], titled: bool = True) -> Drawing:
+    """Give the rows under one another, all in one scale, and the title on top if it is to be seen."""
     grid = Grid.of([frame for row in rows for frame in row.frames])
     text = (2 + max(len(row.figures) for row in rows)) * _LINE
     pitch = max(grid.height, text) + style.GAP
     columns = len(rows[0].frames)
     left = style.MARGIN + _heading_width(rows) + style.GAP
     width = left + columns * (grid.width + style.GAP) - style.GAP + style.MARGIN
-    height = style.MARGIN + _TITLE + len(rows) * pitch + style.MARGIN - style.GAP / 2
+    head, letters = (_TITLE, style.TITLE_SIZE) if titled else (_HEAD, style.TEXT_SIZE)
+    height = style.MARGIN + head + len(rows) * pitch + style.MARGIN - style.GAP / 2
 
     def middle(column: int) -> float:
         return left + column * (grid.width + style.GAP) + grid.width / 2
 
     def items() -> Iterator[Item]:
         yield _paper(width, height)
-        yield Label(
-            title,
-            (style.MARGIN, height - style.MARGIN - style.TITLE_SIZE),
-            style.TITLE_SIZE,
-            style.INK,
-            bold=True,
-        )
+        if titled:
+            place = (style.MARGIN, height - style.MARGIN - letters)
+            yield Label(title, place, style.TITLE_SIZE, style.INK, bold=True)
         for column, frame in enumerate(rows[0].frames):
-            place = (middle(column), height - style.MARGIN - style.TITLE_SIZE)
+            place = (middle(column), height - style.MARGIN - letters)
             yield Label(f"t = {frame.t:.3g}", place, style.TEXT_SIZE, style.FAINT, "middle")
         for number, row in enumerate(rows):
-            top = height - style.MARGIN - _TITLE - number * pitch
+            top = height - style.MARGIN - head - number * pitch
             yield Line(np.array([[style.MARGIN, top], [width - style.MARGIN, top]]), style.HAIRLINE)
             y = top - pitch / 2
             yield from _heading(row, y + text / 2)
@@ -97,10 +101,9 @@ def _heading_width(rows: Sequence[Row]) -> float:
 def _heading(row: Row, top: float) -> Iterator[Item]:
     base = top - style.NAME_SIZE
     yield Label(row.name, (style.MARGIN, base), style.NAME_SIZE, style.INK, bold=True)
-    sign = tick_sign if row.simple else cross_sign
+    sign, colour = _SIGNS[row.kind]
     base -= _LINE * 1.15
     yield from sign((style.MARGIN + _SIGN, base + 0.36 * style.TEXT_SIZE), _SIGN)
-    colour = style.SIMPLE if row.simple else style.CROSSING
     yield Label(row.verdict, (style.MARGIN + 3 * _SIGN, base), style.TEXT_SIZE, colour)
     for figure in row.figures:
         base -= _LINE

@@ -5,13 +5,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-import shapely
 from numpy.typing import NDArray
 
 from starskel.blending.frames import Blend
 from starskel.blending.pieces import PieceBlend
 from starskel.correspondence import Correspondence
-from starskel.polygon import crossing_edges
+from starskel.polygon import crossing_edges, meeting_places
 from starskel.predicates import Floats
 
 
@@ -61,11 +60,7 @@ class Keyframe:
     @cached_property
     def crossings(self) -> Floats:
         """The places where the ring meets itself, as a (k, 2) array; no rows where it is simple."""
-        pairs = self._crossing_edges
-        edges = shapely.linestrings(np.stack([self.ring, np.roll(self.ring, -1, axis=0)], axis=1))
-        meetings = shapely.centroid(shapely.intersection(edges[pairs[:, 0]], edges[pairs[:, 1]]))
-        places: Floats = shapely.get_coordinates(meetings)
-        return places
+        return meeting_places(self.ring, self._crossing_edges)
 
     @property
     def simple(self) -> bool:

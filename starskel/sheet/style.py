@@ -10,6 +10,7 @@ SOURCE: Colour = "#9cc9ec"
 MIDDLE: Colour = "#d9c6e4"
 TARGET: Colour = "#f8c58a"
 SIMPLE: Colour = "#00705c"
+NATURAL: Colour = "#8a5a00"
 CROSSING: Colour = "#b0003a"
 PIECES: tuple[Colour, ...] = ("#a6d5f2", "#f7d98b", "#a3dcc6", "#e6bcd4", "#f3f0a9", "#c3c8ee", "#f2b99a")
 SKELETON: Colour = "#3b2a7a"

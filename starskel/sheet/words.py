@@ -1,23 +1,58 @@
 """What was measured of a blend, in words."""
 
 from collections.abc import Sequence
+from typing import Literal
 
 from starskel.quality import Report
+
+Kind = Literal["simple", "natural", "harmful"]
+
+
+def kind_of(report: Report) -> Kind:
+    """Say in a word how good a blend is."""
+    if report.simple:
+        return "simple"
+    return "natural" if report.natural else "harmful"
 
 
 def verdict(report: Report) -> str:
     """Say whether the blend is simple, or when it crosses itself."""
     if report.simple:
-        return "simple"
-    return "crosses at t = " + spans(report.times.tolist(), report.crossing_frames)
+        return "simple, proven" if report.proven else "simple"
+    if report.natural:
+        return f"natural crossing at t = {crossing_words(report)}"
+    natural = f", natural in {counted(len(report.natural_frames), 'frame')}" if report.natural_frames else ""
+    return f"crosses at t = {crossing_words(report)}{natural}"
+
+
+def counted(count: int, name: str) -> str:
+    """Give a number with the name of what is counted: "1 frame", "2 frames"."""
+    return f"{count} {name}{'' if count == 1 else 's'}"
+
+
+def crossing_words(report: Report) -> str:
+    """Say when the blend crosses itself."""
+    if report.crossing_frames:
+        return spans(report.times.tolist(), report.crossing_frames)
+    return ", ".join(f"{t:.4g}" for t in report.crossing_times)
+
+
+def crossing_counts(report: Report) -> str:
+    """Say in how many frames the blend crosses itself, naturally and otherwise, or that it never does."""
+    if report.simple or not report.crossing_frames:
+        return verdict(report)
+    kinds = ("natural", report.natural_frames), ("harmful", report.harmful_frames)
+    return " ".join(f"{len(frames)} {kind}" for kind, frames in kinds if frames)
 
 
 def figures(report: Report) -> tuple[str, ...]:
-    """Say how far area and lengths drift, and where some edge has a negative length, a line each."""
+    """Say how far the blend drifts, and where some edge has a negative length, a line each."""
     lines = [
         f"area drift {percent(report.area_deviation)}",
         f"length drift {percent(report.length_deviation)}",
     ]
+    if report.inside is not None:
+        lines.append(f"inside stretched {percent(report.inside.stretch - 1)}")
     if report.negative_lengths:
         times = spans(report.times.tolist(), report.negative_lengths)
         lines.append(f"negative lengths at t = {times}")

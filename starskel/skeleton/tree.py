@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from starskel.decomposition.pieces import Decomposition
 from starskel.errors import StarskelError
-from starskel.polygon import signed_area
+from starskel.outline import signed_areas
 from starskel.predicates import Floats
 
 Edge = tuple[int, int]
@@ -118,7 +118,7 @@ def _sizes(decomposition: Decomposition) -> list[float]:
     """Give each piece's share of the area, source and target together."""
     total = np.zeros(len(decomposition.pieces))
     for points in (decomposition.source, decomposition.target):
-        areas = np.array([signed_area(points[list(piece)]) for piece in decomposition.pieces])
+        areas = np.array([signed_areas(points[list(piece)]) for piece in decomposition.pieces])
         total += areas / areas.sum()
     return list(total.tolist())
 

@@ -1,5 +1,6 @@
 import pytest
 
+from app.model.easing import Easing
 from app.playback import Playback, Repeat
 
 
@@ -54,3 +55,27 @@ def test_changing_speed_or_mode_does_not_jump() -> None:
     assert playback.at_speed(4, now=0.5).t(0.5) == 0.5
     assert playback.at_speed(4, now=0.5).t(0.5625) == 0.75
     assert playback.repeating(Repeat.LOOP, now=1.25).t(1.25) == 0.75
+
+
+def test_easing_bends_t_and_keeps_the_moment_when_it_changes() -> None:
+    slow = Easing((0.5, 0.0), (1.0, 1.0))
+    playback = Playback(duration=1, easing=slow).play(0)
+    assert playback.t(0.25) < 0.15
+    assert playback.t(1.75) == pytest.approx(playback.t(0.25))
+    held = Playback().seek(0.3, 0).eased(slow, 0)
+    assert held.t(5) == pytest.approx(0.3)
+
+
+@pytest.mark.parametrize("easing", [Easing(), Easing((0.9, 0.1), (0.3, 0.8))])
+def test_steps_go_to_the_frames_that_are_measured(easing: Easing) -> None:
+    playback = Playback(easing=easing).seek(0.423, 0)
+    assert playback.step(1, 0).t(0) == pytest.approx(0.43)
+    assert playback.step(-1, 0).t(0) == pytest.approx(0.42)
+    assert playback.step(1, 0).step(1, 0).t(0) == pytest.approx(0.44)
+    assert playback.step(-1, 0).step(1, 0).t(0) == pytest.approx(0.43)
+    assert playback.step(200, 0).t(0) == 1
+    assert playback.step(-200, 0).t(0) == 0
+
+
+def test_a_step_stops_what_is_playing() -> None:
+    assert not Playback().play(0).step(1, 0.5).playing

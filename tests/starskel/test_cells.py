@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 
 from starskel.cells import cells_of
+from starskel.outline import signed_areas
 from starskel.points import points_of
-from starskel.polygon import signed_area
 from starskel.triangulation import triangulate
 from tests.families import blob, comb, spiral, subdivided, turned, two_opt
 
@@ -38,8 +38,8 @@ def test_cells_are_convex_and_tile_the_ring(ground):
         turns = ground.points.orientation(corners, np.roll(corners, -1), np.roll(corners, -2))
         assert (turns >= 0).all()
     assert sum(len(corners) - 2 for corners in found) == len(ground.triangles)
-    areas = sum(signed_area(ground.vertices[corners]) for corners in found)
-    assert areas == pytest.approx(signed_area(ground.vertices))
+    areas = sum(signed_areas(ground.vertices[corners]) for corners in found)
+    assert areas == pytest.approx(signed_areas(ground.vertices))
 
 
 def test_walks_behind_a_side_pass_the_other_sides_of_the_cell_behind(ground):

@@ -125,24 +125,27 @@ def test_a_table_has_a_line_for_each_pair_and_method(capsys):
     assert main(["measure", LETTERS, "--frames", "11"]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 1 + 4 * len(METHODS) + 1 + len(METHODS)
-    assert lines[0].split() == ["pair", "method", "area", "length", "angle", "verdict"]
+    assert lines[0].split() == ["pair", "method", "area", "length", "angle", "stretch", "rough", "verdict"]
+    assert max(map(len, lines)) <= 100
     assert lines[-1].startswith("vertex")
-    assert "of 4 simple, median area drift" in lines[-1]
+    assert re.search(r" of 4 simple \(\d proven\), \d crossing naturally, median area drift", lines[-1])
 
 
 def test_figures_in_json_are_those_of_the_library(capsys, shape_pairs):
     words = ["--id", "letter-C-S", "--id", "letter-T-Y", "--method", "vertex", "--frames", "41", "--json"]
     assert main(["measure", LETTERS, *words]) == 0
     document = json.loads(capsys.readouterr().out)
-    assert (document["format"], document["frames"], document["failures"]) == ("starskel-figures/1", 41, [])
+    assert (document["format"], document["frames"], document["failures"]) == ("starskel-figures/2", 41, [])
     assert [figures["id"] for figures in document["figures"]] == ["letter-C-S", "letter-T-Y"]
     for figures in document["figures"]:
         pair = shape_pairs[figures["id"]]
         report = starskel.measure(starskel.blend(pair.source, pair.target, pair.marks, "vertex"), frames=41)
         assert figures["simple"] == report.simple
         assert figures["crossing_times"] == list(report.crossing_times)
-        for name in ("area_deviation", "length_deviation", "angle_deviation"):
+        for name in ("area_deviation", "length_deviation", "angle_deviation", "roughness", "proven"):
             assert figures[name] == getattr(report, name)
+        assert [moment["frame"] for moment in figures["crossings"]] == list(report.crossing_frames)
+        assert figures["inside"] is None
 
 
 def test_a_failing_pair_is_named_in_json_too(capsys):

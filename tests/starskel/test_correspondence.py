@@ -137,7 +137,9 @@ def test_many_new_vertices_fit_on_a_tiny_edge_or_are_refused():
     for width in (256, 64, 40):
         target = np.array([(1.0, 1.0), (1.0 + width * step, 1.0), (1.0, 2.0)])
         check(match(zigzag(8), target, [(0, 0), (8, 1), (9, 2)]), zigzag(8), target)
-    with pytest.raises(InvalidPolygon, match=r"edge from vertex 0 at .* too short") as error:
+    with pytest.raises(InvalidPolygon, match=r"^source: the edge from vertex 0 at .* too short"):
+        match(target, zigzag(60), [(0, 0), (1, 60), (2, 61)])
+    with pytest.raises(InvalidPolygon, match=r"^target: the edge from vertex 0 at .* too short") as error:
         match(zigzag(60), target, [(0, 0), (60, 1), (61, 2)])
     assert error.value.vertices == (0,)
 

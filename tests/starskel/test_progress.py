@@ -40,3 +40,15 @@ def test_the_bar_is_gone_after_an_interruption_too():
     with pytest.raises(KeyboardInterrupt):
         interrupted(stream)
     assert stream.getvalue().endswith("\r\x1b[K")
+
+
+def test_another_label_is_shown_and_a_cleared_bar_comes_back():
+    stream = Terminal()
+    with Progress("one", stream) as progress:
+        progress(0.5)
+        progress.label = "two"
+        progress(0.5)
+        progress.clear()
+        progress(0.5)
+    bars = stream.getvalue().split("\r")[1:]
+    assert [bar.removesuffix("\x1b[K")[-3:] for bar in bars] == ["one", "two", "", "two", ""]

@@ -3,8 +3,8 @@ import pytest
 
 from starskel import triangulation
 from starskel.errors import Cancelled, InvalidPolygon
+from starskel.outline import signed_areas
 from starskel.points import points_of
-from starskel.polygon import signed_area
 from starskel.task import Task
 from starskel.triangulation import Triangulation
 from starskel.visibility import visibility, visibility_from
@@ -46,7 +46,7 @@ def test_triangles_tile_the_ring(ring):
     assert len(ground.triangles) == len(ring) - 2
     assert set(ground.triangles.ravel()) == set(range(len(ring)))
     assert (ground.points.orientation(*ground.triangles.T) > 0).all()
-    assert sum(signed_area(ring[t]) for t in ground.triangles) == pytest.approx(signed_area(ring))
+    assert sum(signed_areas(ring[t]) for t in ground.triangles) == pytest.approx(signed_areas(ring))
     inner = np.flatnonzero(ground.twins >= 0)
     np.testing.assert_array_equal(ground.twins[ground.twins[inner]], inner)
 

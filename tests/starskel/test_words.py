@@ -1,10 +1,12 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from starskel.blending.blend import blend
 from starskel.files.examples import example
-from starskel.quality import measure
-from starskel.sheet.words import figures, percent, spans, verdict
+from starskel.quality import Crossing, measure
+from starskel.sheet.words import crossing_counts, figures, percent, spans, verdict
 
 SQUARE = np.array([[0, 0], [4, 0], [4, 4], [0, 4]], dtype=float)
 TIMES = np.linspace(0, 1, 101).tolist()
@@ -33,8 +35,30 @@ def test_small_parts_have_two_digits(part, text):
 
 def test_a_simple_blend_is_called_so():
     report = measure(blend(SQUARE, SQUARE + 7, method="vertex"))
-    assert verdict(report) == "simple"
+    assert verdict(report) == crossing_counts(report) == "simple, proven"
     assert figures(report) == ("area drift 0.0 %", "length drift 0.0 %")
+    assert verdict(measure(blend(SQUARE, SQUARE + 7, method="edge-angle"))) == "simple"
+
+
+def report_of(*crossings):
+    """A report that names these crossings, as time, frame and whether natural."""
+    report = measure(blend(SQUARE, SQUARE + 7, method="vertex"))
+    return replace(report, crossings=tuple(Crossing(t, k, np.empty((0, 2)), n) for t, k, n in crossings))
+
+
+def test_natural_and_harmful_crossings_are_told_apart():
+    natural, harmful = (0.5, 50, True), (0.51, 51, False)
+    assert verdict(report_of(natural)) == "natural crossing at t = 0.5"
+    assert crossing_counts(report_of(natural)) == "1 natural"
+    assert verdict(report_of(harmful)) == "crosses at t = 0.51"
+    assert crossing_counts(report_of(harmful)) == "1 harmful"
+    assert verdict(report_of(natural, harmful)) == "crosses at t = 0.5-0.51, natural in 1 frame"
+    assert crossing_counts(report_of(natural, harmful)) == "1 natural 1 harmful"
+
+
+def test_a_crossing_between_frames_is_told_by_its_moment():
+    assert verdict(report_of((0.50751, None, False))) == "crosses at t = 0.5075"
+    assert crossing_counts(report_of((0.50751, None, False))) == "crosses at t = 0.5075"
 
 
 def test_a_crossing_blend_is_called_so_with_its_times():

@@ -3,13 +3,11 @@
 import threading
 from collections.abc import Iterator
 
-import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
 from app.compute import Computer, Failure, Request, Result, Subject, job
-from app.compute.job import AT_ONCE, Watched
-from starskel import Cancelled, InvalidPolygon, Polygon, blend, measure
+from starskel import Cancelled, InvalidPolygon, Polygon, blend
 
 SQUARE = Polygon([(0, 0), (10, 0), (10, 10), (0, 10)])
 REQUEST = Request(Subject(SQUARE, SQUARE), ("vertex", "edge-angle"))
@@ -158,31 +156,6 @@ def test_the_decomposition_is_computed_once_for_all_methods(computer: Computer, 
     first, second = (outcome.blend for outcome in seen.outcomes if isinstance(outcome, Result))
     assert first.decomposition is not None
     assert first.decomposition is second.decomposition
-
-
-def test_a_newer_edit_stops_the_measuring_between_two_handfuls_of_frames() -> None:
-    """Frames of large shapes take longer than the edit may have to wait."""
-    angles = np.linspace(0, 2 * np.pi, AT_ONCE // 10, endpoint=False)
-    circle = np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    whole = blend(circle, 2 * circle, marks=[(0, 0)], method="vertex")
-    asked: list[None] = []
-
-    def go_on() -> None:
-        asked.append(None)
-        if len(asked) == 4:
-            raise Cancelled
-
-    with pytest.raises(Cancelled):
-        measure(Watched(whole, go_on))
-    assert len(asked) == 4
-
-
-def test_being_watched_changes_no_frame() -> None:
-    whole = blend(SQUARE, SQUARE, marks=[(0, 2)], method="stitched")
-    times = np.linspace(0, 1, 33)
-    watched = Watched(whole, lambda: None)
-    np.testing.assert_array_equal(watched.frames(times), whole.frames(times))
-    assert measure(watched).area_deviation == measure(whole).area_deviation
 
 
 def test_the_box_holds_all_frames(computer: Computer, qtbot: QtBot) -> None:

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 from app.model.document import Document
 from app.model.marks import Side
 from app.model.selection import Selection
@@ -44,7 +46,8 @@ def test_a_crossing_mark_is_refused_and_shows_both() -> None:
     assert response.commit is None
     assert response.refusal is not None
     assert set(response.refusal.marks) == {(1, 2), (2, 1)}
-    assert response.tool == MarkBegun("source", 2)
+    assert isinstance(response.tool, MarkBegun)
+    assert (response.tool.side, response.tool.vertex) == ("source", 2)
 
 
 def test_a_second_mark_at_a_vertex_is_refused() -> None:
@@ -87,3 +90,52 @@ def test_a_pin_dragged_into_the_void_goes_back() -> None:
     response = held.release(SCENE, at("target", 5, 5))
     assert response.commit is None
     assert response.tool == MarkTool("target")
+
+
+def dragged(tool: Tool, side: Side, *stops: Pointer) -> Response:
+    """Drag from a canvas to places on the other one."""
+    for stop in stops:
+        tool = tool.move(SCENE, replace(at(side, 50, 50), across=stop)).tool
+    return tool.release(SCENE, replace(at(side, 50, 50), across=stops[-1]))
+
+
+def test_a_drag_from_canvas_to_canvas_sets_a_mark() -> None:
+    begun = MarkTool().press(SCENE, at("source", 10, 10)).tool
+    response = dragged(begun, "source", at("target", 5, 5), at("target", 0, 10))
+    assert response.commit is not None
+    assert response.commit.document.marks[-1] == (2, 3)
+
+
+def test_a_drag_shows_its_line_and_what_it_may_not_do() -> None:
+    begun = MarkTool().press(SCENE, at("source", 10, 10)).tool
+    over = begun.move(SCENE, replace(at("source", 50, 50), across=at("target", 10, 0)))
+    assert over.refusal is not None
+    assert over.tool.overlay(SCENE, "target").line == (10, 0)
+    assert over.tool.overlay(SCENE, "source").line is None
+    away = over.tool.move(SCENE, replace(at("source", 50, 50), across=at("target", 5, 5)))
+    assert away.refusal is not None  # it can still be read
+    good = away.tool.move(SCENE, replace(at("source", 50, 50), across=at("target", 0, 10)))
+    assert good.refusal is None
+
+
+def test_a_drag_into_the_void_waits_for_a_click() -> None:
+    begun = MarkTool().press(SCENE, at("source", 10, 10)).tool
+    response = dragged(begun, "source", at("target", 5, 5))
+    assert response.commit is None
+    assert isinstance(response.tool, MarkBegun)
+
+
+def test_a_pin_dragged_to_the_other_canvas_moves_its_end_there() -> None:
+    held = MarkTool().press(SCENE, at("source", 10, 0)).tool
+    response = dragged(held, "source", at("target", 10, 10))
+    assert response.commit is not None
+    assert response.commit.document.marks == ((0, 0), (1, 2))
+
+
+def test_a_drag_previews_the_document_that_it_would_leave() -> None:
+    held = MarkTool().press(SCENE, at("target", 10, 0)).tool
+    assert held.preview(SCENE, at("target", 10, 0)) is None  # a click would remove the pin
+    held = held.move(SCENE, at("target", 10, 10)).tool
+    shown = held.preview(SCENE, at("target", 10, 10))
+    assert shown is not None
+    assert shown.marks == ((0, 0), (1, 2))

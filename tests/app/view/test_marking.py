@@ -4,6 +4,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.view import words
 from starskel.errors import InvalidMarks
+from starskel.files.examples import example
 from tests.app.driver import CONTROL, Driver
 
 
@@ -44,6 +45,48 @@ def test_a_click_on_a_pin_removes_it_and_a_drag_moves_it(squares: Driver) -> Non
     assert squares.document.marks == ((0, 0), (1, 2))
     squares.click("source", (10, 10))
     assert squares.document.marks == ((1, 2),)
+
+
+def test_a_drag_from_canvas_to_canvas_sets_a_mark(squares: Driver) -> None:
+    squares.key(Qt.Key.Key_M)
+    squares.press("target", 90, 90)
+    squares.hover("target", 50, 50)
+    squares.hover("source", 50, 50)
+    squares.hover("source", 90, 90)
+    assert squares.session.overlay("source").vertex == 2
+    assert squares.window.mark_line.isVisible()
+    squares.release("source", 90, 90)
+    assert squares.document.marks == ((2, 2),)
+    assert not squares.window.mark_line.isVisible()
+
+
+def test_suggested_marks_are_one_step(driver: Driver) -> None:
+    driver.session.show_project(example("arm"))
+    driver.wait_for_blends()
+    before = driver.document.marks
+    driver.window.marks.count.setValue(5)
+    driver.key(Qt.Key.Key_M, CONTROL)
+    driver.wait(lambda: driver.document.marks != before)
+    assert 2 <= len(driver.document.marks) <= 5
+    driver.key(Qt.Key.Key_Z, CONTROL)
+    assert driver.document.marks == before
+
+
+def test_a_vertex_hovered_over_shows_its_partner_and_its_way(squares: Driver) -> None:
+    squares.mark((10, 10), (90, 10))
+    squares.wait_for_blends()
+    squares.key(Qt.Key.Key_S)
+    squares.hover("source", 50, 50)
+    target, panel = squares.window.canvases["target"], squares.window.panels.panel("stitched").view
+    plain = target.grab().toImage(), panel.grab().toImage()
+    squares.hover("source", 10, 90)
+    trace = squares.session.trace
+    assert trace is not None
+    assert (trace.source_vertex, trace.target_vertex) == (3, 0)
+    assert target.grab().toImage() != plain[0]
+    assert panel.grab().toImage() != plain[1]
+    squares.hover("source", 50, 50)
+    assert (target.grab().toImage(), panel.grab().toImage()) == plain
 
 
 def test_escape_gives_a_begun_mark_up(squares: Driver) -> None:

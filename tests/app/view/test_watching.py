@@ -1,8 +1,9 @@
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLabel
+from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QLabel
 
 from app.playback import Repeat
 from app.view.panels import columns_for
@@ -101,7 +102,9 @@ def test_repeat_and_speed_are_chosen_by_keys(arm: Driver) -> None:
     assert arm.window.player.speed == 2
 
 
-@pytest.mark.parametrize("switches", [("pieces",), ("skeleton",), ("pieces", "skeleton")])
+@pytest.mark.parametrize(
+    "switches", [("pieces",), ("skeleton",), ("pieces", "skeleton"), ("onion",), ("ways",), ("numbers",)]
+)
 def test_pieces_and_skeleton_change_what_is_painted(arm: Driver, switches: tuple[str, ...]) -> None:
     arm.window.player.seek(0.4)
     view = arm.window.panels.panel("stitched").view
@@ -112,6 +115,34 @@ def test_pieces_and_skeleton_change_what_is_painted(arm: Driver, switches: tuple
     for name in switches:
         arm.window.actions_table[name].trigger()
     assert view.grab().toImage() == plain
+
+
+@pytest.mark.parametrize("switch", ["pieces", "skeleton", "numbers"])
+def test_the_canvases_show_it_too(arm: Driver, switch: str) -> None:
+    canvas = arm.window.canvases["target"]
+    plain = canvas.grab().toImage()
+    arm.window.actions_table[switch].trigger()
+    assert canvas.grab().toImage() != plain
+
+
+def test_the_wheel_zooms_all_panels_and_a_double_click_shows_everything(arm: Driver) -> None:
+    views = [arm.window.panels.panel(method).view for method in ("stitched", "vertex")]
+    fitted = [view.camera for view in views]
+    place = QPointF(30, 40)
+    turn = QWheelEvent(
+        *(place, QPointF(views[0].mapToGlobal(place.toPoint())), QPoint(), QPoint(0, 120)),
+        *(Qt.MouseButton.NoButton, PLAIN, Qt.ScrollPhase.NoScrollPhase, False),
+    )
+    QApplication.sendEvent(views[0], turn)
+    for view, camera in zip(views, fitted, strict=True):
+        assert view.camera.scale == pytest.approx(1.25 * camera.scale)
+    assert views[0].camera.centre == views[1].camera.centre
+    QTest.mousePress(views[1], LEFT, PLAIN, QPoint(50, 50))
+    QTest.mouseMove(views[1], QPoint(70, 50))
+    QTest.mouseRelease(views[1], LEFT, PLAIN, QPoint(70, 50))
+    assert views[0].camera.centre[0] == pytest.approx(views[1].camera.centre[0])
+    QTest.mouseDClick(views[0], LEFT, PLAIN, QPoint(50, 50))
+    assert [view.camera for view in views] == fitted
 
 
 def test_methods_are_chosen_from_the_menu_and_the_choice_is_undone(arm: Driver) -> None:
@@ -217,7 +248,7 @@ def test_the_skeleton_of_a_single_piece_is_its_origin(driver: Driver) -> None:
     view = driver.window.panels.panel("stitched").view
     without = view.grab().toImage()
     driver.window.actions_table["skeleton"].trigger()
-    assert driver.window.display.skeleton
+    assert driver.window.display.layers.skeleton
     assert view.grab().toImage() != without
 
 

@@ -3,13 +3,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from starskel.blending.fans import fans_of
+from starskel.blending.fans import Fans, fans_of
 from starskel.blending.mesh import corner_angles, mesh_of, triangle_areas
-from starskel.blending.stiffening import LADDER
-from starskel.blending.stitch import Stitch, graph_of, length_weights
+from starskel.blending.stitch import Stitch, edge_distortions, edge_weights, graph_of
 from starskel.blending.stitched import StitchedBlend
 from starskel.correspondence import match
 from starskel.decomposition import decompose
+from starskel.errors import Cancelled
 from starskel.outline import cross_themselves, signed_areas
 from starskel.task import Task
 from tests.families import subdivided, turned, two_opt
@@ -81,7 +81,7 @@ def test_frames_come_nearest_to_the_wishes(name):
     """Against the least-squares problem solved densely."""
     mesh = mesh_for(name)
     graph = graph_of(mesh)
-    weights = length_weights(mesh, 3.0)
+    weights = edge_weights(mesh, 3.0, 0.0)
     points = Stitch.of(graph, weights, 0.0).points(np.array([0.4]))[0]
     incidence = np.zeros((len(mesh.edges), len(mesh.source)))
     rows = np.arange(len(mesh.edges))
@@ -96,7 +96,7 @@ def test_frames_come_nearest_to_the_wishes(name):
 def test_the_area_pass_brings_areas_nearer_to_the_linear_ones(name):
     mesh = mesh_for(name)
     graph = graph_of(mesh)
-    plain = Stitch.of(graph, length_weights(mesh, 3.0), 0.0)
+    plain = Stitch.of(graph, edge_weights(mesh, 3.0, 0.0), 0.0)
     deviations = []
     for dial in (0.0, 0.5, 1.0):
         corners = plain.dialled(dial).points(TIMES)[:, mesh.triangles]
@@ -111,13 +111,60 @@ def test_no_frame_of_these_pairs_crosses_itself(name):
     assert not cross_themselves(StitchedBlend(decomposition_of(name)).frames(TIMES)).any()
 
 
-def test_stiffening_makes_a_crossing_blend_simple():
+def test_a_blend_that_is_there_at_once_is_improved_until_it_is_simple():
     decomposition = decomposition_of("arms-over-under")
-    graph = graph_of(mesh_for("arms-over-under"))
-    plain = Stitch.of(graph, length_weights(graph.mesh, LADDER[0].on_ring), LADDER[0].dial)
-    points = plain.points(TIMES)[:, : len(decomposition.pair)]
-    assert cross_themselves(np.stack([points.real, points.imag], axis=-1)).any()
-    assert not cross_themselves(StitchedBlend(decomposition).frames(TIMES)).any()
+    first = StitchedBlend(decomposition, settled=False)
+    crossings = [cross_themselves(first.frames(TIMES)).mean()]
+    assert crossings[0] > 0
+    for better in first.improvements():
+        crossings.append(cross_themselves(better.frames(TIMES)).mean())
+        np.testing.assert_allclose(better.frames([0.0, 1.0]), first.frames([0.0, 1.0]), atol=1e-9)
+    assert crossings[-1] == 0
+    assert crossings[-1] < crossings[0]
+    np.testing.assert_array_equal(better.frames(TIMES), StitchedBlend(decomposition).frames(TIMES))
+
+
+def test_a_blend_that_is_simple_at_once_stays_as_it_is():
+    decomposition = decomposition_of("run-walk")
+    first = StitchedBlend(decomposition, settled=False)
+    assert list(first.improvements()) == []
+    np.testing.assert_array_equal(first.frames(TIMES), StitchedBlend(decomposition).frames(TIMES))
+
+
+def test_improving_stops_when_it_is_told_to():
+    first = StitchedBlend(decomposition_of("arms-over-under"), settled=False)
+    asked = []
+
+    def should_stop():
+        asked.append(None)
+        return len(asked) > 5
+
+    with pytest.raises(Cancelled):
+        list(first.improvements(Task(should_stop=should_stop)))
+    assert len(asked) == 6
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_edges_inside_insist_less_where_the_shape_changes(name):
+    mesh = mesh_for(name)
+    distortions = edge_distortions(mesh)
+    assert distortions.min() >= 1
+    even, yielding = (edge_weights(mesh, 3.0, power) for power in (0.0, 1.0))
+    np.testing.assert_array_equal(even[mesh.on_ring], yielding[mesh.on_ring])
+    inside = ~mesh.on_ring
+    np.testing.assert_allclose(even[inside] / yielding[inside], distortions[inside])
+
+
+def test_only_what_changes_its_shape_is_distorted():
+    """A square's half is turned and enlarged, that is no distortion; of the other half two sides shrink."""
+    ring = np.array([(0, 0), (4, 0), (4, 4), (0, 4)], dtype=float)
+    target = 3 * turned(np.array([(0, 0), (4, 0), (4, 4), (1, 3)], dtype=float), 1.0)
+    mesh = mesh_of(Fans(ring, target, np.array([(0, 1, 2), (0, 2, 3)]), ((0,),)), 4)
+    by_edge = dict(zip(map(tuple, mesh.edges.tolist()), edge_distortions(mesh), strict=True))
+    assert by_edge[0, 1] == pytest.approx(1)
+    assert by_edge[1, 2] == pytest.approx(1)
+    assert by_edge[0, 3] > 1
+    assert 1 < by_edge[0, 2] < by_edge[0, 3]
 
 
 @pytest.mark.parametrize("name", ["run-walk", "random-9-2", "arms-over-under"])

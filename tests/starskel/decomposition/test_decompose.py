@@ -5,7 +5,7 @@ import pytest
 
 from starskel.correspondence import Correspondence, match
 from starskel.decomposition import Decomposition, decompose
-from starskel.decomposition.ladder import climb
+from starskel.decomposition.ladder import by_fan, climb
 from starskel.decomposition.minimal import Piece
 from starskel.decomposition.overlay import crossings, overlay
 from starskel.decomposition.reduce import union
@@ -146,7 +146,7 @@ def test_the_ladder_needs_fewer_steiner_vertices_than_the_overlay():
         source, target = two_opt(20, seed), two_opt(20, seed + 1000)
         tiling, whole = uncut(source, target)
         needed = crossings(*grounds(tiling, whole))
-        placed = len(climb(tiling, whole, Task()).source.coordinates) - 20
+        placed = len(climb(tiling, whole, by_fan, Task()).source.coordinates) - 20
         assert placed <= needed
         climbed, laid = climbed + placed, laid + needed
     assert climbed * 5 < laid

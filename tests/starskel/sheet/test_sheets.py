@@ -39,8 +39,9 @@ SHEETS = {
     "comparison": comparison_sheet(
         "both",
         [
-            Row("good", True, "simple", ("area drift 1 %",), FRAMES),
-            Row("bad", False, "crosses", (), (WHOLE,) * 4),
+            Row("good", "simple", "simple", ("area drift 1 %",), FRAMES),
+            Row("bad", "harmful", "crosses", (), (WHOLE,) * 4),
+            Row("layered", "natural", "natural crossing", (), (WHOLE,) * 4),
         ],
     ),
 }

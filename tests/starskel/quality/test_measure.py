@@ -1,11 +1,14 @@
 import numpy as np
 import pytest
 
+from starskel.blending import METHODS
+from starskel.blending.blend import blend
 from starskel.blending.edge_angle import EdgeAngleBlend
 from starskel.blending.frames import Blend
+from starskel.blending.pieces import PieceBlend
 from starskel.blending.vertex import VertexBlend
 from starskel.correspondence import Correspondence, match
-from starskel.errors import StarskelError
+from starskel.errors import Cancelled, StarskelError
 from starskel.outline import edge_lengths, signed_areas
 from starskel.quality import measure
 from tests.families import turned, two_opt
@@ -30,7 +33,7 @@ def test_a_blend_that_stands_still_deviates_in_nothing():
     report = measure(VertexBlend(match(SQUARE, SQUARE)), frames=5)
     assert report.simple
     assert report.crossing_frames == report.crossing_times == ()
-    assert report.crossing_place is None
+    assert report.proven
     assert report.negative_lengths == ()
     assert report.area_deviation == report.length_deviation == report.angle_deviation == 0
     np.testing.assert_array_equal(report.times, [0, 0.25, 0.5, 0.75, 1])
@@ -43,8 +46,11 @@ def test_crossing_frames_are_told_by_number_time_and_place():
     assert not report.simple
     assert report.crossing_frames == (1, 3)
     assert report.crossing_times == (0.25, 0.75)
-    assert report.crossing_place == pytest.approx((0.5, 0.5))
-    np.testing.assert_array_equal(report.crossings, [False, True, False, True, False])
+    assert report.harmful_frames == (1, 3)
+    assert report.natural_frames == ()
+    for crossing in report.crossings:
+        np.testing.assert_allclose(crossing.places, [(0.5, 0.5)])
+    np.testing.assert_array_equal(report.crosses, [False, True, False, True, False])
 
 
 def test_touching_counts_as_crossing():
@@ -53,7 +59,7 @@ def test_touching_counts_as_crossing():
     apart[3, 1] = 1
     report = measure(Played(np.stack([apart, touching, apart])), frames=3)
     assert report.crossing_frames == (1,)
-    assert report.crossing_place == pytest.approx((1, 0))
+    np.testing.assert_allclose(report.crossings[0].places, [(1, 0), (1, 0)])
 
 
 def test_areas_are_compared_with_their_linear_blend():
@@ -109,6 +115,49 @@ def test_series_are_those_of_the_frames(shape_pair):
 def test_too_few_frames_are_refused(frames):
     with pytest.raises(StarskelError, match="at least 2"):
         measure(VertexBlend(match(SQUARE, SQUARE)), frames=frames)
+
+
+@pytest.mark.parametrize("frames", [2.5, 101.0, "101", None, [0, 1]])
+def test_frames_that_are_no_number_are_refused(frames):
+    with pytest.raises(StarskelError, match="is no number of frames; give a whole number"):
+        measure(VertexBlend(match(SQUARE, SQUARE)), frames)
+
+
+def test_what_is_no_blend_is_refused():
+    with pytest.raises(StarskelError, match="ndarray is no blend; give what"):
+        measure(SQUARE)
+
+
+def test_numpy_numbers_of_frames_are_whole_numbers():
+    assert len(measure(VertexBlend(match(SQUARE, SQUARE)), np.int64(7)).times) == 7
+
+
+def test_progress_only_grows_and_reaches_the_end():
+    seen = []
+    measure(Played(np.stack([SQUARE, BOW, SQUARE])), 31, progress=seen.append)
+    assert seen == sorted(seen)
+    assert seen[-1] == 1
+
+
+@pytest.mark.parametrize("method", ["vertex", "stitched"])
+def test_measuring_stops_wherever_it_is_told_to(shape_pairs, method):
+    pair = shape_pairs["letter-C-S"]
+    made = blend(pair.source, pair.target, pair.marks, method)
+    asked = []
+    measure(made, should_stop=lambda: bool(asked.append(None)))
+    for last in {1, 2, len(asked) // 2, len(asked)}:
+        answers = iter(range(last - 1))
+        with pytest.raises(Cancelled):
+            measure(made, should_stop=lambda answers=answers: next(answers, None) is None)
+
+
+def test_frames_are_those_of_the_blend_whether_pieces_are_seen_or_not(shape_pairs):
+    pair = shape_pairs["letter-K-X"]
+    for method in METHODS:
+        made = blend(pair.source, pair.target, pair.marks, method)
+        report = measure(made, frames=7)
+        np.testing.assert_array_equal(report.areas, signed_areas(made.frames(report.times)))
+        assert (report.inside is None) == (not isinstance(made, PieceBlend))
 
 
 def test_a_frame_that_collapses_into_a_point_is_not_simple():

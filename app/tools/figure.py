@@ -1,0 +1,165 @@
+"""Draw regular figures by one drag: rectangle, ellipse, regular polygon, star."""
+
+from dataclasses import dataclass, replace
+from math import atan2, degrees, hypot
+from typing import ClassVar
+
+from app.model import figures
+from app.model.document import Point
+from app.model.marks import Side
+from app.model.texts import QT_TRANSLATE_NOOP
+from app.tools.outcome import drawn
+from app.tools.pick import distance
+from app.tools.settings import Settings
+from app.tools.snapping import begun_at, caught, ground_for_drawing
+from app.tools.tool import Catch, Key, Overlay, Pointer, Response, Scene, Tool
+from starskel.predicates import Floats
+
+
+@dataclass(frozen=True)
+class FigureTool(Tool):
+    """Ready to drag a figure open."""
+
+    side: Side = "source"
+    catch: Catch | None = None
+
+    step: ClassVar[str]
+    """What the history calls it."""
+
+    round: ClassVar[bool]
+    """Whether a drag goes from the middle to a vertex, else from corner to corner."""
+
+    def press(self, scene: Scene, pointer: Pointer) -> Response:
+        catch = begun_at(scene, pointer)
+        return Response(Stretching(self, pointer.side, catch.at, Catch(catch.at)))
+
+    def move(self, scene: Scene, pointer: Pointer) -> Response:
+        return Response(replace(self, side=pointer.side, catch=begun_at(scene, pointer)))
+
+    def overlay(self, scene: Scene, side: Side) -> Overlay:
+        return Overlay(catch=self.catch) if side == self.side else Overlay()
+
+    def ring(self, settings: Settings, start: Point, end: Point) -> Floats:
+        """Give the figure that a drag opens."""
+        raise NotImplementedError
+
+
+class RectangleTool(FigureTool):
+    """Draws upright rectangles."""
+
+    name: ClassVar[str] = "rectangle"
+    step: ClassVar[str] = QT_TRANSLATE_NOOP("Step", "Draw rectangle")
+    round: ClassVar[bool] = False
+    hint: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Hint", "Drag from corner to corner. Shift makes a square; Ctrl suspends snapping."
+    )
+
+    def ring(self, settings: Settings, start: Point, end: Point) -> Floats:
+        return figures.rectangle(start, end)
+
+
+class EllipseTool(FigureTool):
+    """Draws upright ellipses."""
+
+    name: ClassVar[str] = "ellipse"
+    step: ClassVar[str] = QT_TRANSLATE_NOOP("Step", "Draw ellipse")
+    round: ClassVar[bool] = False
+    hint: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Hint", "Drag from corner to corner of its box. Shift makes a circle; Ctrl suspends snapping."
+    )
+
+    def ring(self, settings: Settings, start: Point, end: Point) -> Floats:
+        return figures.ellipse(start, end, settings.roundness)
+
+
+class RegularPolygonTool(FigureTool):
+    """Draws regular polygons."""
+
+    name: ClassVar[str] = "regular-polygon"
+    step: ClassVar[str] = QT_TRANSLATE_NOOP("Step", "Draw regular polygon")
+    round: ClassVar[bool] = True
+    hint: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Hint", "Drag from the middle to a corner. Shift turns by steps of 15°; Ctrl suspends snapping."
+    )
+
+    def ring(self, settings: Settings, start: Point, end: Point) -> Floats:
+        return figures.regular_polygon(start, end, settings.corners)
+
+
+class StarTool(FigureTool):
+    """Draws stars."""
+
+    name: ClassVar[str] = "star"
+    step: ClassVar[str] = QT_TRANSLATE_NOOP("Step", "Draw star")
+    round: ClassVar[bool] = True
+    hint: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Hint", "Drag from the middle to a point. Shift turns by steps of 15°; Ctrl suspends snapping."
+    )
+
+    def ring(self, settings: Settings, start: Point, end: Point) -> Floats:
+        return figures.star(start, end, settings.points, settings.inner)
+
+
+@dataclass(frozen=True)
+class Stretching(Tool):
+    """A figure being dragged open."""
+
+    idle: FigureTool
+    side: Side
+    start: Point
+    catch: Catch
+    opened: bool = False
+
+    hint: ClassVar[str] = QT_TRANSLATE_NOOP("Hint", "Release to draw the figure; Esc gives it up.")
+    busy: ClassVar[bool] = True
+
+    @property
+    def name(self) -> str:  # type: ignore[override] # a constant of every other state
+        return self.idle.name
+
+    def move(self, scene: Scene, pointer: Pointer) -> Response:
+        if pointer.side != self.side:
+            return Response(self)
+        catch = self._caught(scene, pointer)
+        width, height = abs(catch.at[0] - self.start[0]), abs(catch.at[1] - self.start[1])
+        extent = hypot(width, height) if self.idle.round else min(width, height)
+        return Response(replace(self, catch=catch, opened=extent > pointer.radius / 3))
+
+    def release(self, scene: Scene, pointer: Pointer) -> Response:
+        if not self.opened:  # a shaky click is no figure
+            return Response(self.idle)
+        return drawn(scene, self.side, self._ring(scene), self.idle, self.idle.step)
+
+    def key(self, scene: Scene, key: Key) -> Response:
+        return Response(self.cancel() if key.name in ("backspace", "delete") else self)
+
+    def cancel(self) -> Tool:
+        return self.idle
+
+    def overlay(self, scene: Scene, side: Side) -> Overlay:
+        if side != self.side or not self.opened:
+            return Overlay()
+        return Overlay(figure=self._ring(scene), catch=self.catch, readout=(self.catch.at, self._readout()))
+
+    def _ring(self, scene: Scene) -> Floats:
+        return self.idle.ring(scene.settings, self.start, self.catch.at)
+
+    def _caught(self, scene: Scene, pointer: Pointer) -> Catch:
+        ground = ground_for_drawing(scene.document, self.side)
+        if self.idle.round:
+            return caught(pointer, scene.settings.snapping, replace(ground, origins=(self.start,)))
+        catch = caught(replace(pointer, shift=False), scene.settings.snapping, ground)
+        return Catch(_squared(self.start, catch.at)) if pointer.shift else catch
+
+    def _readout(self) -> str:
+        x, y = self.catch.at[0] - self.start[0], self.catch.at[1] - self.start[1]
+        if self.idle.round:
+            return f"{distance(self.start, self.catch.at):.4g}   {degrees(atan2(y, x)):.0f}°"
+        return f"{abs(x):.4g} × {abs(y):.4g}"
+
+
+def _squared(start: Point, end: Point) -> Point:
+    """Give the corner of the square that is as wide as the box, or as high, whichever is more."""
+    x, y = end[0] - start[0], end[1] - start[1]
+    side = max(abs(x), abs(y))
+    return start[0] + (side if x >= 0 else -side), start[1] + (side if y >= 0 else -side)

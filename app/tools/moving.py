@@ -1,0 +1,216 @@
+"""Move, scale and turn what is selected, by dragging."""
+
+from dataclasses import dataclass, replace
+from math import atan2, degrees
+from typing import ClassVar
+
+import numpy as np
+
+from app.model import transforms
+from app.model.document import Point
+from app.model.marks import Side
+from app.model.selection import Selection, at_places
+from app.model.texts import QT_TRANSLATE_NOOP
+from app.model.transforms import Box, box_of
+from app.tools.handles import CORNERS, TURN
+from app.tools.pick import distance
+from app.tools.snapping import REACH, STEP, caught, ground_for_moving
+from app.tools.tool import Catch, Commit, Key, Overlay, Pointer, Response, Scene, Tool, as_point, refused_ring
+from starskel.errors import StarskelError
+from starskel.predicates import Floats
+
+
+@dataclass(frozen=True)
+class Dragging(Tool):
+    """Some vertices held.
+
+    Attributes
+    ----------
+    idle : Tool
+        The state that they were taken from.
+    start : Pointer
+        Where they were taken.
+    vertex : int
+        The one of them that is caught by what is near.
+    vertices : frozenset of int
+        All that move.
+    click : Selection
+        What is selected where the pointer is released without having moved.
+    catch : Catch or None
+        Where the vertex goes, None until the pointer moves.
+    """
+
+    idle: Tool
+    start: Pointer
+    vertex: int
+    vertices: frozenset[int]
+    click: Selection
+    catch: Catch | None = None
+
+    name: ClassVar[str] = "select"
+    hint: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Hint", "Release to set the vertices here; Esc puts them back. Ctrl suspends snapping."
+    )
+    busy: ClassVar[bool] = True
+
+    def move(self, scene: Scene, pointer: Pointer) -> Response:
+        if self.catch is None and distance(pointer.at, self.start.at) <= pointer.radius / 3:
+            return Response(self)  # a shaky click is no drag
+        state = replace(self, catch=self._caught(scene, pointer))
+        return Response(state, refusal=state._tried(scene).refusal)
+
+    def release(self, scene: Scene, pointer: Pointer) -> Response:
+        if self.catch is None:
+            return Response(self.idle, selection=self.click)
+        return self._tried(scene)
+
+    def key(self, scene: Scene, key: Key) -> Response:
+        return Response(self.cancel() if key.name in ("backspace", "delete") else self)
+
+    def cancel(self) -> Tool:
+        return self.idle
+
+    def overlay(self, scene: Scene, side: Side) -> Overlay:
+        if side != self.start.side or self.catch is None:
+            return Overlay()
+        return Overlay(ring=self._ring(scene), vertex=self.vertex, catch=self.catch)
+
+    def _held(self, scene: Scene) -> Point:
+        return as_point(scene.document.vertices(self.start.side)[self.vertex])
+
+    def _caught(self, scene: Scene, pointer: Pointer) -> Catch:
+        side, held = self.start.side, self._held(scene)
+        at = held[0] + pointer.at[0] - self.start.at[0], held[1] + pointer.at[1] - self.start.at[1]
+        ground = ground_for_moving(scene.document, side, self.vertices)
+        if pointer.shift:
+            ground = replace(ground, origins=(held,))
+        return caught(replace(pointer, at=at), scene.settings.snapping, ground)
+
+    def _ring(self, scene: Scene) -> Floats:
+        assert self.catch is not None
+        held = self._held(scene)
+        offset = self.catch.at[0] - held[0], self.catch.at[1] - held[1]
+        return scene.document.moved(self.start.side, self.vertices, offset)
+
+    def _tried(self, scene: Scene) -> Response:
+        name = QT_TRANSLATE_NOOP("Step", "Move vertices")
+        return placed(scene, self.idle, Selection(self.start.side, self.vertices), self._ring(scene), name)
+
+
+@dataclass(frozen=True)
+class Transforming(Tool):
+    """A handle of the frame held.
+
+    Attributes
+    ----------
+    idle : Tool
+        The state that it was taken from.
+    start : Pointer
+        Where it was taken.
+    handle : str
+        Its name.
+    vertices : frozenset of int
+        What is scaled or turned.
+    box : Box
+        The box around them.
+    pointer : Pointer
+        Where it is now.
+    """
+
+    idle: Tool
+    start: Pointer
+    handle: str
+    vertices: frozenset[int]
+    box: Box
+    pointer: Pointer
+
+    name: ClassVar[str] = "select"
+    hint: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Hint", "Release to keep it so; Esc puts it back. Shift keeps the proportions, or steps of 15°."
+    )
+    busy: ClassVar[bool] = True
+
+    def move(self, scene: Scene, pointer: Pointer) -> Response:
+        state = replace(self, pointer=pointer)
+        return Response(state, refusal=state._tried(scene).refusal)
+
+    def release(self, scene: Scene, pointer: Pointer) -> Response:
+        return self._tried(scene) if self.pointer != self.start else Response(self.idle)
+
+    def key(self, scene: Scene, key: Key) -> Response:
+        return Response(self.cancel() if key.name in ("backspace", "delete") else self)
+
+    def cancel(self) -> Tool:
+        return self.idle
+
+    def overlay(self, scene: Scene, side: Side) -> Overlay:
+        if side != self.start.side:
+            return Overlay()
+        ring = self._ring(scene)
+        if self.handle == TURN:
+            return Overlay(ring=ring, readout=(self.pointer.at, f"{degrees(self._angle(scene)):.4g}°"))
+        box, catch = box_of(ring[sorted(self.vertices)]), self._catch(scene)
+        width, height = box.size
+        readout = (self.pointer.at, f"{width:.4g} × {height:.4g}")
+        return Overlay(ring=ring, frame=box, catch=catch, readout=readout)
+
+    def _tried(self, scene: Scene) -> Response:
+        turns = self.handle == TURN
+        name = QT_TRANSLATE_NOOP("Step", "Turn") if turns else QT_TRANSLATE_NOOP("Step", "Scale")
+        return placed(scene, self.idle, Selection(self.start.side, self.vertices), self._ring(scene), name)
+
+    def _ring(self, scene: Scene) -> Floats:
+        ring = scene.document.vertices(self.start.side).copy()
+        rows = sorted(self.vertices)
+        if self.handle == TURN:
+            ring[rows] = transforms.turned(ring[rows], self.box.middle, self._angle(scene))
+        else:
+            ring[rows] = transforms.scaled(ring[rows], self._fixed(), self._factors(scene))
+        return ring
+
+    def _angle(self, scene: Scene) -> float:
+        x, y = self.box.middle
+        here, there = self.pointer.at, self.start.at
+        angle = atan2(here[1] - y, here[0] - x) - atan2(there[1] - y, there[0] - x)
+        angle = float(np.remainder(angle + np.pi, 2 * np.pi) - np.pi)
+        even = STEP * round(angle / STEP)
+        near = abs(angle - even) * distance(here, (x, y)) <= self.pointer.radius * REACH
+        snaps = scene.settings.snapping.angles and near and not self.pointer.free
+        return even if snaps or self.pointer.shift else angle
+
+    def _fixed(self) -> Point:
+        """Give the corner or the side that stays."""
+        x, y = CORNERS[self.handle]
+        return self.box.at(1 - x, 1 - y)
+
+    def _catch(self, scene: Scene) -> Catch:
+        """Give where the corner or the side goes that is dragged."""
+        x, y = self.box.at(*CORNERS[self.handle])
+        at = x + self.pointer.at[0] - self.start.at[0], y + self.pointer.at[1] - self.start.at[1]
+        ground = ground_for_moving(scene.document, self.start.side, self.vertices)
+        pointer = replace(self.pointer, at=at, shift=False)
+        return caught(pointer, scene.settings.snapping, replace(ground, lines=(), origins=()))
+
+    def _factors(self, scene: Scene) -> Point:
+        corner, fixed = self.box.at(*CORNERS[self.handle]), self._fixed()
+        catch = self._catch(scene)
+        ways = [(catch.at[k] - fixed[k], corner[k] - fixed[k]) for k in (0, 1)]
+        x, y = (new / old if old else 1.0 for new, old in ways)  # a side's own direction stays as it is
+        if not self.pointer.shift:
+            return x, y
+        if 0.5 in CORNERS[self.handle]:
+            same = x if CORNERS[self.handle][1] == 0.5 else y
+            return same, same
+        larger = max(abs(x), abs(y))
+        return (larger if x >= 0 else -larger), (larger if y >= 0 else -larger)
+
+
+def placed(scene: Scene, idle: Tool, selection: Selection, ring: Floats, name: str) -> Response:
+    """Try to put the selected vertices where they are in a ring; they stay selected."""
+    side = selection.side
+    try:
+        document = scene.document.place(side, ring)
+    except StarskelError as error:
+        return Response(idle, refusal=refused_ring(side, ring, error))
+    # a shape that is turned inside out numbers its vertices anew
+    return Response(idle, Commit(document, name), at_places(document, side, ring[sorted(selection.vertices)]))

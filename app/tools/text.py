@@ -1,0 +1,53 @@
+"""Set a text in outlines."""
+
+from dataclasses import dataclass, replace
+from typing import ClassVar
+
+import numpy as np
+
+from app.model.document import Point
+from app.model.marks import Side
+from app.model.texts import QT_TRANSLATE_NOOP
+from app.tools.outcome import drawn
+from app.tools.settings import Settings
+from app.tools.snapping import begun_at
+from app.tools.tool import Catch, Overlay, Pointer, Response, Scene, Tool
+from starskel.predicates import Floats
+
+
+@dataclass(frozen=True)
+class TextTool(Tool):
+    """The text follows the pointer; a canvas holds one outline, so the largest one is set there."""
+
+    side: Side = "source"
+    catch: Catch | None = None
+
+    name: ClassVar[str] = "text"
+    hint: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Hint",
+        "Type the text above, then click to set it. A canvas holds one outline: the largest, drawn solid.",
+    )
+
+    def press(self, scene: Scene, pointer: Pointer) -> Response:
+        rings = placed_letters(scene.settings, begun_at(scene, pointer).at)
+        if not rings:
+            return Response(self)
+        return drawn(scene, pointer.side, rings[0], TextTool(), QT_TRANSLATE_NOOP("Step", "Set text"))
+
+    def move(self, scene: Scene, pointer: Pointer) -> Response:
+        return Response(replace(self, side=pointer.side, catch=begun_at(scene, pointer)))
+
+    def overlay(self, scene: Scene, side: Side) -> Overlay:
+        if side != self.side or self.catch is None:
+            return Overlay()
+        rings = placed_letters(scene.settings, self.catch.at)
+        return Overlay(figure=rings[0] if rings else None, beside=rings[1:], catch=self.catch)
+
+
+def placed_letters(settings: Settings, at: Point) -> tuple[Floats, ...]:
+    """Give the outlines of the text in its size, the largest one first, and its middle at a place."""
+    rings = [ring * settings.size for ring in settings.lettering.rings]
+    if not rings:
+        return ()
+    middle = (rings[0].min(axis=0) + rings[0].max(axis=0)) / 2
+    return tuple(ring - middle + np.array(at) for ring in rings)

@@ -1,0 +1,90 @@
+"""A button that shows the easing and opens what changes it: presets, and the curve."""
+
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QRectF, QSignalBlocker, QSize, Qt, Slot
+from PySide6.QtGui import QIcon, QPainter
+from PySide6.QtWidgets import QComboBox, QFrame, QToolButton, QVBoxLayout, QWidget
+
+from app.model.easing import PRESETS, Easing
+from app.view.drawing import layer_of, painting
+from app.view.easing_curve import EasingCurve, paint_curve
+from app.view.player import Player
+from app.view.theme import theme_of
+
+
+class EasingPopup(QFrame):
+    """The presets by name, and the curve below them."""
+
+    def __init__(self, player: Player, parent: QWidget) -> None:
+        super().__init__(parent, Qt.WindowType.Popup)
+        self._player = player
+        self.setObjectName("easing-popup")
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.presets = QComboBox()
+        self.presets.setObjectName("easing")
+        self.presets.setAccessibleName(self.tr("Easing"))
+        for name, easing in PRESETS:
+            self.presets.addItem(QCoreApplication.translate("Easing", name), easing)
+        self.presets.addItem(self.tr("As drawn"), None)
+        self.curve = EasingCurve(player)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(8, 8, 8, 4)
+        layout.addWidget(self.presets)
+        layout.addWidget(self.curve)
+        self.presets.currentIndexChanged.connect(self._choose)
+        self.curve.edited.connect(self._take)
+
+    @Slot(int)
+    def _choose(self, index: int) -> None:
+        easing = self.presets.itemData(index)
+        if easing is not None:
+            self._player.set_easing(easing)
+
+    @Slot(object)
+    def _take(self, easing: Easing) -> None:
+        self._player.set_easing(easing)
+        with QSignalBlocker(self.presets):
+            self.presets.setCurrentIndex(self.presets.findData(None))
+
+
+class EasingButton(QToolButton):
+    """Shows the curve in small."""
+
+    def __init__(self, player: Player) -> None:
+        super().__init__()
+        self._player = player
+        self._drawn: Easing | None = None
+        self.popup = EasingPopup(player, self)
+        self.setObjectName("easing-button")
+        self.setAccessibleName(self.tr("Easing"))
+        self.setToolTip(self.tr("Easing: how t runs over the time"))
+        self.setAutoRaise(True)
+        self.setIconSize(QSize(18, 18))
+        self.clicked.connect(self._open)
+        player.t_changed.connect(self._follow)
+        self._follow()
+
+    @Slot()
+    def _open(self) -> None:
+        """Open above the button, since it stands near the window's lower edge."""
+        self.popup.adjustSize()
+        self.popup.move(self.mapToGlobal(QPoint(0, -self.popup.height() - 4)))
+        self.popup.show()
+        self.popup.curve.setFocus()
+
+    @Slot()
+    def _follow(self) -> None:
+        if self._drawn != self._player.easing:
+            self._draw()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._draw()
+
+    def _draw(self) -> None:
+        self._drawn = self._player.easing
+        layer = layer_of(self.iconSize(), 2.0)
+        with painting(layer) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            paint_curve(painter, theme_of(self.palette()), QRectF(2, 2, 14, 14), self._drawn, 1.8)
+        self.setIcon(QIcon(layer))

@@ -1,0 +1,133 @@
+"""A view of one blend's frame at the player's t."""
+
+import numpy as np
+from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Slot
+from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPixmap, QResizeEvent, QWheelEvent
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from app.compute import MethodState
+from app.session import Session
+from app.view.camera import Camera
+from app.view.display import Display
+from app.view.drawing import layer_for, painting
+from app.view.frame_layers import paint_ghosts, paint_ways
+from app.view.frame_painter import FramePainter
+from app.view.player import Player
+from app.view.theme import theme_of
+from starskel.predicates import Floats
+
+NOTCH = 1.25
+"""Zoom factor of one notch of the wheel."""
+
+MARGIN = 14.0
+"""Pixels left free around what is fitted."""
+
+
+class FrameView(QWidget):
+    """Shows a frame; the wheel zooms and a drag moves all views together, a double click shows everything."""
+
+    def __init__(self, session: Session, player: Player, display: Display) -> None:
+        super().__init__()
+        self._session = session
+        self._player = player
+        self._display = display
+        self._state = MethodState()
+        self.message = ""
+        self._extent: Floats = np.empty((0, 2))
+        self.camera = Camera()
+        self._fitted = Camera()
+        self._backdrop: QPixmap | None = None
+        self._held: QPointF | None = None
+        self.setMinimumSize(120, 90)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        player.t_changed.connect(self.update)
+        session.pointed_changed.connect(self.update)
+        display.changed.connect(self._renew)
+        display.moved.connect(self._aim)
+
+    def show_blend(self, state: MethodState, extent: Floats, message: str) -> None:
+        """Show another blend; the extent is what must fit in, the message is for when there is none."""
+        self._state, self._extent, self.message = state, extent, message
+        self._aim()
+
+    # the view
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._aim()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        self._renew()
+
+    @Slot()
+    def _aim(self) -> None:
+        self._fitted = Camera().resized(self.width(), self.height()).fitting(self._extent, MARGIN)
+        self.camera = self._display.seen_by(self._fitted)
+        self._renew()
+
+    @Slot()
+    def _renew(self) -> None:
+        self._backdrop = None
+        self.update()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        place = event.position()
+        factor = NOTCH ** (event.angleDelta().y() / 120)
+        self._display.look(self._fitted, self.camera.zoomed(factor, place.x(), place.y()))
+        event.accept()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() in (Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton):
+            self._held = event.position()
+            self.setCursor(Qt.CursorShape.ClosedHandCursor)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._held is not None:
+            way = event.position() - self._held
+            self._held = event.position()
+            self._display.look(self._fitted, self.camera.panned(way.x(), way.y()))
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._held = None
+        self.unsetCursor()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        self._display.fit()
+
+    # painting
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        with painting(self) as painter:
+            self._paint(painter)
+
+    def _paint(self, painter: QPainter) -> None:
+        theme = theme_of(self.palette())
+        painter.fillRect(self.rect(), QColor(theme.base))
+        result = self._state.result
+        if result is not None:
+            self._paint_backdrop(painter)
+            frame = FramePainter(painter, theme, self.camera, self._display.layers)
+            frame.paint(result, self._player.t, stale=self._state.stale)
+            if (trace := self._session.trace) is not None and not self._state.stale:
+                frame.paint_trace(result, self._player.t, trace.row)
+        if self.message:
+            painter.setPen(QColor(theme.muted))
+            room = QRectF(self.rect()).adjusted(14, 10, -14, -10)
+            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.drawText(room, flags, self.message)
+
+    def _paint_backdrop(self, painter: QPainter) -> None:
+        """Paint what does not move with t from an image, which is made once a blend."""
+        layers, result = self._display.layers, self._state.result
+        if result is None or self._state.stale or not (layers.onion or layers.ways):
+            return
+        if self._backdrop is None:
+            self._backdrop = layer_for(self)
+            samples = self.camera.to_screen(result.samples)
+            with painting(self._backdrop) as behind:
+                behind.setRenderHint(QPainter.RenderHint.Antialiasing)
+                if layers.onion:
+                    paint_ghosts(behind, theme_of(self.palette()), samples)
+                if layers.ways:
+                    paint_ways(behind, theme_of(self.palette()), samples)
+        painter.drawPixmap(0, 0, self._backdrop)

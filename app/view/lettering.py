@@ -1,0 +1,51 @@
+"""Text as outlines."""
+
+import numpy as np
+import shapely
+from PySide6.QtGui import QFont, QPainterPath
+
+from app.model.curves import flattened
+from app.tools.settings import Lettering
+from starskel.predicates import Floats
+
+SIZE = 1000.0
+"""Pixels for which the font is asked: so large that nothing is fitted to pixels."""
+
+TOLERANCE = 0.002
+"""How far the lines may leave the curves of the letters, as a part of the size of the text."""
+
+
+def lettering(text: str, family: str) -> Lettering:
+    """Give the outer rings of a text in a font, the largest one first; where letters overlap they are one."""
+    font = QFont(family)
+    font.setPixelSize(round(SIZE))
+    font.setHintingPreference(QFont.HintingPreference.PreferNoHinting)
+    path = QPainterPath()
+    path.addText(0, 0, font, text)
+    areas = [shapely.make_valid(shapely.Polygon(ring)) for ring in _rings(path) if len(ring) >= 3]
+    parts = shapely.get_parts(shapely.union_all(areas)) if areas else []
+    outer = [shapely.Polygon(part.exterior) for part in parts if isinstance(part, shapely.Polygon)]
+    outer.sort(key=lambda polygon: -polygon.area)
+    return Lettering(tuple(shapely.get_coordinates(polygon)[:-1] for polygon in outer))
+
+
+def _rings(path: QPainterPath) -> list[Floats]:
+    """Give the rings of a path as lines, for text of size 1, y up."""
+    rings: list[list[Floats]] = []
+    k = 0
+    while k < path.elementCount():
+        kind = path.elementAt(k).type
+        if kind == QPainterPath.ElementType.MoveToElement:
+            rings.append([_points(path, k, 1)])
+        elif kind == QPainterPath.ElementType.LineToElement:
+            rings[-1].append(_points(path, k, 1))
+        else:
+            rings[-1].append(flattened(np.concatenate([rings[-1][-1][-1:], _points(path, k, 3)]), TOLERANCE))
+            k += 2
+        k += 1
+    return [np.concatenate(ring) for ring in rings]
+
+
+def _points(path: QPainterPath, start: int, count: int) -> Floats:
+    elements = [path.elementAt(k) for k in range(start, start + count)]
+    return np.array([(element.x, -element.y) for element in elements]) / SIZE

@@ -1,0 +1,42 @@
+"""Star pieces and skeletons, on the canvases and in the frames."""
+
+import numpy as np
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QPainter
+
+from app.view.drawing import faded, lines_of, pen, point_of, polygon_of
+from app.view.theme import Theme
+from starskel.decomposition.pieces import Decomposition
+from starskel.predicates import Floats
+from starskel.skeleton import Skeleton
+
+
+def paint_pieces(painter: QPainter, theme: Theme, cut: Decomposition, points: Floats) -> None:
+    """Paint star pieces whose points have these places on the screen, each in its colour."""
+    painter.setPen(pen(faded(theme.text, 0.45), 1.0))
+    for number, piece in enumerate(cut.pieces):
+        painter.setBrush(QColor(theme.pieces[number % len(theme.pieces)]))
+        painter.drawPolygon(polygon_of(points[list(piece)]), Qt.FillRule.WindingFill)
+
+
+def paint_skeleton(painter: QPainter, theme: Theme, skeleton: Skeleton, points: Floats) -> None:
+    """Paint arcs; origins as discs, mid-points as small squares, the root with a ring round it."""
+    colour = QColor(theme.text)
+    starts, ends = skeleton.arcs.T
+    painter.setPen(pen(colour, 2.0))
+    painter.drawLines(lines_of(points[starts], points[ends]))
+    origins, middles = np.split(points, [len(skeleton.parents)])
+    _paint_dots(painter, origins, colour, 6.4, Qt.PenCapStyle.RoundCap)
+    _paint_dots(painter, middles, colour, 5.6, Qt.PenCapStyle.SquareCap)
+    _paint_dots(painter, middles, QColor(theme.base), 3.2, Qt.PenCapStyle.SquareCap)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(pen(theme.accent, 2.2))
+    painter.drawEllipse(point_of(points[skeleton.root]), 7.0, 7.0)
+
+
+def _paint_dots(painter: QPainter, places: Floats, colour: QColor, size: float, cap: Qt.PenCapStyle) -> None:
+    """Paint dots in the shape of a pen's end, all at once: there may be hundreds in each frame."""
+    dots = pen(colour, size)
+    dots.setCapStyle(cap)
+    painter.setPen(dots)
+    painter.drawPoints(polygon_of(places))

@@ -1,0 +1,103 @@
+"""starskel gallery: a page of many pairs, all methods side by side."""
+
+import re
+import sys
+import unicodedata
+from argparse import Namespace
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from starskel.blending import COMPARED
+from starskel.command import FAILED
+from starskel.command.blend import times_of
+from starskel.command.methods import blends
+from starskel.command.opening import Opened, named, opened
+from starskel.command.progress import Progress
+from starskel.errors import StarskelError
+from starskel.files.disk import made_folder, write_bytes
+from starskel.files.examples import example_names, resource_folder
+from starskel.files.gallery import Exhibit, gallery_page
+from starskel.files.pairs import ShapePair
+from starskel.files.svg import write_svg
+from starskel.quality import Report, measure
+from starskel.sheet.comparison import Row, comparison_sheet
+from starskel.sheet.keyframe import keyframes
+from starskel.sheet.words import counted
+
+
+def run(arguments: Namespace) -> int:
+    """Blend, measure and draw every pair, and write the page; pairs that fail are named, the others go on."""
+    folder = made_folder(arguments.output)
+    failures: list[str] = []
+    found = list(_found(arguments.files or _examples(), failures))
+    exhibits: list[Exhibit] = []
+    with Progress("") as progress:
+        for number, (path, file, pair_id) in enumerate(found):
+            try:
+                pair = file.pair(pair_id)
+                share = number / len(found), 1 / len(found)
+                exhibit = _exhibit(pair, arguments, progress, share, {e.name for e in exhibits})
+            except StarskelError as error:
+                progress.clear()
+                failures.append(_told(named(error, pair_id, path)))
+                continue
+            write_svg(folder / f"{exhibit.name}.svg", exhibit.sheet)
+            exhibits.append(exhibit)
+    write_bytes(folder / "index.html", gallery_page(exhibits, failures).encode())
+    print(f"{folder / 'index.html'}: {len(exhibits)} of {len(found)} pairs")
+    return FAILED if failures else 0
+
+
+def _examples() -> list[Path]:
+    return [resource_folder() / "examples" / f"{name}.json" for name in example_names()]
+
+
+def _found(paths: Sequence[Path], failures: list[str]) -> Iterator[tuple[Path, Opened, str]]:
+    """Give the pairs of all files; those that cannot be opened are told, and kept among the failures."""
+    for path in paths:
+        try:
+            file = opened(path)
+        except StarskelError as error:
+            failures.append(_told(str(error)))
+            continue
+        for pair_id in file.ids:
+            yield path, file, pair_id
+
+
+def _told(failure: str) -> str:
+    print(f"starskel: {failure}", file=sys.stderr)
+    return failure
+
+
+def _exhibit(
+    pair: ShapePair, arguments: Namespace, progress: Progress, share: tuple[float, float], taken: set[str]
+) -> Exhibit:
+    methods = arguments.method or COMPARED
+    times, reports, rows = times_of(arguments), dict[str, Report](), list[Row]()
+
+    def watch(method: str, fraction: float) -> None:
+        start, length = share
+        progress.label = f"{pair.id}: {method}"
+        progress(start + length * fraction)
+
+    for method, blend in blends(pair, methods, watch):
+        reports[method] = measure(blend)
+        rows.append(Row.of(method, reports[method], keyframes(blend, times)))
+    sheet = comparison_sheet(pair.id, rows, titled=False)
+    return Exhibit(_free_name(pair.id, taken), pair.id, _text(pair), sheet, reports)
+
+
+def _text(pair: ShapePair) -> str:
+    counts = f"{len(pair.source)} and {len(pair.target)} vertices, {counted(len(pair.marks), 'mark')}."
+    return f"{pair.origin}. {counts}" if pair.origin else counts
+
+
+def _free_name(title: str, taken: set[str]) -> str:
+    """Give a name for files and addresses: plain letters, digits and hyphens, none given twice."""
+    plain = unicodedata.normalize("NFKD", title).encode("ascii", "ignore").decode().lower()
+    name = re.sub(r"[^a-z0-9]+", "-", plain).strip("-")[:60] or "pair"
+    number, free = 1, name
+    while free in taken or free == "index":
+        number += 1
+        free = f"{name}-{number}"
+    return free

@@ -1,0 +1,192 @@
+"""The gallery: a page of many pairs, each with its sheet and figures; no scripts, nothing from elsewhere."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from html import escape
+from statistics import median
+
+from starskel.files.examples import resource_folder
+from starskel.quality import Report
+from starskel.sheet.drawing import Drawing
+from starskel.sheet.words import counted, crossing_counts, kind_of, percent, verdict
+
+SIGNS = {"simple": "✓", "natural": "≈", "harmful": "✕"}
+"""What is said by colours is said by signs, too."""
+
+_ORDERS = (
+    ("given", "as given"),
+    ("name", "by name"),
+    ("crossings", "most crossing frames first"),
+    ("area", "largest area drift first"),
+)
+
+_SCALE = 1.4
+"""Pixels of the page for a point of a sheet: all sheets in one size of letters."""
+
+_FIGURES = {
+    "Area drift": "the largest deviation of the area from the linear blend of both areas",
+    "Length drift": "the mean deviation of edge lengths from their linear blend",
+    "Angle drift": "the mean deviation of turning angles from their linear blend",
+    "Stretched": "the mean conformal distortion of the star pieces' fans beyond what the pair demands",
+    "Spread": "the mean deviation of the areas of the fans' triangles from their linear blend",
+    "Folded": "the largest part of the fans, in any frame, that is turned over",
+    "Roughness": "how far a vertex strays at most from even motion within a fiftieth of the time,"
+    " as a part of the size",
+}
+"""What is told of each method, and what it means."""
+
+
+@dataclass(frozen=True, eq=False)
+class Exhibit:
+    """A pair on the page.
+
+    Attributes
+    ----------
+    name : str
+        The name of its sheet without the ending, and of its place on the page.
+    title, text : str
+        What is shown above the sheet.
+    sheet : Drawing
+    reports : dict
+        What was measured, by method.
+    """
+
+    name: str
+    title: str
+    text: str
+    sheet: Drawing
+    reports: dict[str, Report]
+
+
+def gallery_page(exhibits: Sequence[Exhibit], failures: Sequence[str]) -> str:
+    """Give the page as HTML; the sheets are expected beside it."""
+    style = (resource_folder() / "gallery" / "style.css").read_text(encoding="utf-8")
+    methods = list(exhibits[0].reports) if exhibits else []
+    parts = [
+        '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">',
+        '<meta name="viewport" content="width=device-width, initial-scale=1">',
+        f"<title>Blends side by side</title>\n<style>\n{style}</style>\n</head>\n<body>",
+        _header(exhibits, methods),
+        _list(exhibits),
+        "<main>",
+        *map(_section, exhibits),
+        "</main>",
+        _failures(failures),
+        "</body>\n</html>\n",
+    ]
+    return "\n".join(part for part in parts if part)
+
+
+def _header(exhibits: Sequence[Exhibit], methods: Sequence[str]) -> str:
+    words = {
+        "simple": "no frame crosses itself",
+        "natural": "the shape crosses itself, but only lies over itself in layers",
+        "harmful": "it is twisted or turned inside out",
+    }
+    legend = "; ".join(f"{_sign(kind)}{kind}: {text}" for kind, text in words.items())
+    meanings = "\n".join(f"<dt>{name}</dt><dd>{meaning}.</dd>" for name, meaning in _FIGURES.items())
+    rows = [_summary_row(method, [exhibit.reports[method] for exhibit in exhibits]) for method in methods]
+    return f"""<header>
+<h1>Blends side by side</h1>
+<p>{counted(len(exhibits), "pair")}, each blended by {counted(len(methods), "method")} from t = 0 to t = 1.
+Crossing frames are outlined in red.</p>
+<p>{legend}. Proven: simple for every t, not only in the frames looked at.</p>
+{_table(("Method", "Simple", "Proven", "Natural", "Harmful", "Median area drift"), rows)}
+<details><summary>What the figures mean</summary>
+<dl>
+{meanings}
+</dl>
+</details>
+</header>"""
+
+
+def _summary_row(method: str, reports: Sequence[Report]) -> list[str]:
+    kinds = [kind_of(report) for report in reports]
+    proven = sum(report.simple and report.proven for report in reports)
+    drift = percent(median(report.area_deviation for report in reports))
+    return [method, *(str(n) for n in (kinds.count("simple"), proven, kinds.count("natural"))),
+            str(kinds.count("harmful")), drift]  # fmt: skip
+
+
+def _list(exhibits: Sequence[Exhibit]) -> str:
+    """Give the list of pairs. The style sheet sorts it by the ranks that each pair carries."""
+    ranks = {
+        "name": _ranks([exhibit.title.casefold() for exhibit in exhibits]),
+        "crossings": _ranks([-sum(len(r.crossing_frames) for r in e.reports.values()) for e in exhibits]),
+        "area": _ranks([-max(r.area_deviation for r in e.reports.values()) for e in exhibits]),
+    }
+    lines = ['<nav aria-label="Pairs">']
+    for number, (order, words) in enumerate(_ORDERS):
+        checked = " checked" if number == 0 else ""
+        lines.append(f'<label><input type="radio" name="order" id="by-{order}"{checked}> {words}</label>')
+    lines.append("<ol>")
+    for number, exhibit in enumerate(exhibits):
+        style = "; ".join(f"--{order}: {places[number]}" for order, places in ranks.items())
+        lines.append(f'<li style="{style}"><a href="#{exhibit.name}">{escape(exhibit.title)}</a><br>')
+        lines += [_chip(method, report) for method, report in exhibit.reports.items()]
+        lines.append("</li>")
+    return "\n".join([*lines, "</ol>\n</nav>"])
+
+
+def _ranks(keys: Sequence[str] | Sequence[float]) -> list[int]:
+    order = sorted(range(len(keys)), key=lambda k: (keys[k], k))
+    return [order.index(k) for k in range(len(keys))]
+
+
+def _chip(method: str, report: Report) -> str:
+    kind = kind_of(report)
+    return f'<span class="{kind}" title="{escape(verdict(report))}">{SIGNS[kind]} {method}</span>'
+
+
+def _section(exhibit: Exhibit) -> str:
+    words = "; ".join(f"{method}: {verdict(report)}" for method, report in exhibit.reports.items())
+    rows = [_figures(method, report) for method, report in exhibit.reports.items()]
+    width, height = _SCALE * exhibit.sheet.width, _SCALE * exhibit.sheet.height
+    return f"""<section id="{exhibit.name}">
+<h2><a href="#{exhibit.name}">{escape(exhibit.title)}</a></h2>
+<p>{escape(exhibit.text)}</p>
+<div class="sheet"><img src="{exhibit.name}.svg" width="{width:.0f}" height="{height:.0f}"
+ loading="lazy" alt="{escape(f"{exhibit.title}, frames by each method. {words}")}"></div>
+<details><summary>All figures</summary>
+{_table(("Method", *_FIGURES, "Verdict"), rows)}
+</details>
+</section>"""
+
+
+def _figures(method: str, report: Report) -> list[str]:
+    kind, inside = kind_of(report), report.inside
+    return [
+        method,
+        percent(report.area_deviation),
+        percent(report.length_deviation),
+        f"{math.degrees(report.angle_deviation):.1f}°",
+        percent(inside.stretch - 1) if inside else "-",
+        percent(inside.spread - 1) if inside else "-",
+        percent(inside.folded) if inside else "-",
+        f"{100 * report.roughness:.2f} %",
+        f'<span class="{kind}">{_sign(kind)}{crossing_counts(report)}</span>',
+    ]
+
+
+def _table(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """Give a table whose first column names the rows; a column of verdicts is set like words."""
+    kinds = [' class="words"' if head == "Verdict" else "" for head in heads]
+    lines = ['<div class="wide"><table>', "<thead><tr>"]
+    lines += [f'<th scope="col"{kind}>{head}</th>' for head, kind in zip(heads, kinds, strict=True)]
+    lines.append("</tr></thead>\n<tbody>")
+    for first, *others in rows:
+        cells = "".join(f"<td{kind}>{cell}</td>" for cell, kind in zip(others, kinds[1:], strict=True))
+        lines.append(f'<tr><th scope="row">{first}</th>{cells}</tr>')
+    return "\n".join([*lines, "</tbody></table></div>"])
+
+
+def _failures(failures: Sequence[str]) -> str:
+    if not failures:
+        return ""
+    items = "\n".join(f"<li>{escape(failure)}</li>" for failure in failures)
+    return f"<footer>\n<p>Not shown:</p>\n<ul>\n{items}\n</ul>\n</footer>"
+
+
+def _sign(kind: str) -> str:
+    return f'<span class="sign {kind}" aria-hidden="true">{SIGNS[kind]}</span>'

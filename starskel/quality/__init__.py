@@ -1,0 +1,7 @@
+"""What is measured of a blend: does it cross itself, how far does it drift, how much is it distorted."""
+
+from starskel.quality.inside import Distortion
+from starskel.quality.measure import measure
+from starskel.quality.report import Crossing, Report
+
+__all__ = ["Crossing", "Distortion", "Report", "measure"]

@@ -1,0 +1,141 @@
+"""Measuring a blend."""
+
+import operator
+from collections.abc import Iterator
+
+import numpy as np
+
+from starskel.blending.frames import Blend
+from starskel.blending.pieces import PieceBlend
+from starskel.errors import StarskelError
+from starskel.outline import cross_themselves, edge_lengths, signed_areas
+from starskel.polygon import crossing_edges, meeting_places
+from starskel.predicates import Floats
+from starskel.quality.drift import angle_deviation, length_deviations, linear, roughness
+from starskel.quality.inside import Distortion, Triangles
+from starskel.quality.layers import in_layers
+from starskel.quality.proof import proof
+from starskel.quality.report import Crossing, Report
+from starskel.task import Progress, ShouldStop, Task
+
+_AT_ONCE = 1 << 15
+"""So many points of frames are computed between two questions whether to stop."""
+
+_EVEN_STEPS = 50
+"""Steps over which a vertex should move evenly."""
+
+
+def measure(
+    blend: Blend,
+    frames: int = 101,
+    *,
+    progress: Progress | None = None,
+    should_stop: ShouldStop | None = None,
+) -> Report:
+    """Measure a blend at evenly spread times, both ends included.
+
+    Parameters
+    ----------
+    blend : Blend
+    frames : int
+        How many times, 2 or more.
+    progress : callable, optional
+        Called with the fraction done.
+    should_stop : callable, optional
+        Asked often whether to stop.
+
+    Raises
+    ------
+    StarskelError
+        If there are fewer frames, or they are no whole number, or the blend is none.
+    Cancelled
+        If ``should_stop`` answered True.
+    """
+    times = np.linspace(0, 1, _checked_count(frames))
+    if not isinstance(blend, Blend):
+        raise StarskelError(f"{type(blend).__name__} is no blend", "give what starskel.blend returns")
+    task = Task(progress, should_stop)
+    rings, inside = _looked_at(blend, times, task.part(0, 0.4))
+    crossings = _crossings(rings, times, task.part(0.4, 0.8))
+    proven = bool(crossings)
+    if not crossings:
+        proven, between = proof(blend, task.part(0.8, 0.9))
+        crossings = (between,) if between else ()
+    last = task.part(0.9, 1)
+    last.reach(0)
+    lengths = length_deviations(rings, times)
+    last.reach(0.3)
+    angle = angle_deviation(rings, times)
+    last.reach(0.7)
+    rough = _roughness(blend, rings)
+    last.reach(1)
+    areas = signed_areas(rings)
+    return Report(
+        times=times,
+        crossings=crossings,
+        proven=proven,
+        areas=areas,
+        perimeters=edge_lengths(rings).sum(axis=1),
+        area_deviations=areas / linear(areas[0], areas[-1], times) - 1,
+        length_deviations=lengths,
+        angle_deviation=angle,
+        negative_lengths=tuple(np.flatnonzero(blend.negative_lengths(times)).tolist()),
+        roughness=rough,
+        inside=inside,
+    )
+
+
+def _checked_count(frames: int) -> int:
+    try:
+        count = operator.index(frames)
+    except TypeError:
+        raise StarskelError(f"{frames!r} is no number of frames", "give a whole number, 2 or more") from None
+    if count < 2:
+        raise StarskelError(f"{count} frames cannot show a blend", "give at least 2")
+    return count
+
+
+def _looked_at(blend: Blend, times: Floats, task: Task) -> tuple[Floats, Distortion | None]:
+    """Compute the frames, and with those of star pieces how the inside is distorted."""
+    rings: list[Floats] = []
+    logarithms: list[tuple[Floats, Floats]] = []
+    triangles: Triangles | None = None
+    if isinstance(blend, PieceBlend):
+        triangles = Triangles(blend.decomposition, *blend.inside([0, 1]))
+    for part in _handfuls(blend, times, task):
+        if isinstance(blend, PieceBlend) and triangles is not None:
+            points = blend.inside(part)
+            logarithms.append(triangles.logarithms(points, part))
+            rings.append(points[:, : len(blend.pair)])
+        else:
+            rings.append(blend.frames(part))
+    if triangles is None:
+        return np.concatenate(rings), None
+    stretches, spreads = (np.concatenate(parts) for parts in zip(*logarithms, strict=True))
+    return np.concatenate(rings), triangles.distortion(stretches, spreads)
+
+
+def _handfuls(blend: Blend, times: Floats, task: Task) -> Iterator[Floats]:
+    step = max(1, _AT_ONCE // len(blend.pair))
+    for k in range(0, len(times), step):
+        task.reach(k / len(times))
+        yield times[k : k + step]
+
+
+def _crossings(rings: Floats, times: Floats, task: Task) -> tuple[Crossing, ...]:
+    step = max(1, _AT_ONCE // rings.shape[1])
+    found: list[Crossing] = []
+    for start in range(0, len(rings), step):
+        for k in start + np.flatnonzero(cross_themselves(rings[start : start + step])):
+            frame = task.part(k / len(rings), 1)
+            frame.reach(0)
+            places = meeting_places(rings[k], crossing_edges(rings[k]))
+            found.append(Crossing(float(times[k]), int(k), places, in_layers(rings[k], frame)))
+    return tuple(found)
+
+
+def _roughness(blend: Blend, rings: Floats) -> float:
+    stride, rest = divmod(len(rings) - 1, _EVEN_STEPS)
+    if stride and not rest:
+        return roughness(rings[::stride])
+    return roughness(blend.frames(np.linspace(0, 1, _EVEN_STEPS + 1)))

@@ -1,0 +1,43 @@
+from dataclasses import replace
+
+import numpy as np
+
+from app.view.verdicts import crosses_at, crossing_spans, details, summary
+from starskel import Polygon, Report, blend, measure
+from starskel.quality import Crossing
+
+SQUARE = Polygon([(0, 0), (10, 0), (10, 10), (0, 10)])
+STILL = measure(blend(SQUARE, SQUARE, method="vertex"))
+
+
+def crossing(*moments: tuple[float, int | None, bool]) -> Report:
+    """A report of these crossings: when, in which frame, and whether naturally."""
+    return replace(STILL, crossings=tuple(Crossing(t, k, np.empty((0, 2)), n) for t, k, n in moments))
+
+
+def test_what_is_proven_is_called_so() -> None:
+    assert summary(STILL) == "simple, area 0.0 %"
+    assert "proven for every t" in details(STILL)
+    assert "No frame crosses itself." in details(replace(STILL, proven=False))
+
+
+def test_natural_and_harmful_crossings_are_told_apart() -> None:
+    natural, harmful = (0.5, 50, True), (0.51, 51, False)
+    assert summary(crossing(natural)) == "natural crossing, area 0.0 %"
+    assert summary(crossing(natural, harmful)) == "crosses at t = .50, area 0.0 %"
+    assert "That is natural" in details(crossing(natural))
+    assert "Natural in 1 of 2 frames" in details(crossing(natural, harmful))
+    assert "atural" not in details(crossing(harmful))
+
+
+def test_spans_are_those_of_frames_of_a_kind_in_a_row() -> None:
+    report = crossing((0.2, 20, True), (0.21, 21, True), (0.22, 22, False), (0.7, 70, False))
+    spans = [(0.2, 0.21, True), (0.22, 0.22, False), (0.7, 0.7, False)]
+    np.testing.assert_allclose(crossing_spans(report), spans)
+    assert crosses_at(report, 0.704)
+    assert not crosses_at(report, 0.5)
+
+
+def test_a_crossing_between_frames_is_a_span_too() -> None:
+    assert crossing_spans(crossing((0.123, None, False))) == [(0.123, 0.123, False)]
+    assert "t = 0.123" in details(crossing((0.123, None, False)))
