@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from app.compute import Blends, MethodState, Result, Subject, Trace, trace_of
+from app.compute import Blends, MethodState, Motion, Result, Subject, Trace, trace_of
 from app.model.document import Document
 from app.model.history import History
 from app.model.marks import SIDES, Marks, Side
@@ -62,6 +62,8 @@ class Session(QObject):
         The last edit that was not possible, until the next one is tried.
     path : Path or None
         The project file, None before it has one.
+    motion : Motion
+        The star-skeleton's root and whole turns; a way of looking at the document, no part of it.
     pointed : (side, int) or None
         The vertex that is pointed at, on a canvas or in the table of marks.
     """
@@ -95,6 +97,7 @@ class Session(QObject):
         self.refusal: Refusal | None = None
         self.path: Path | None = None
         self.pointed: Pointed | None = None
+        self.motion = Motion()
 
     @property
     def document(self) -> Document:
@@ -256,6 +259,11 @@ class Session(QObject):
         """Choose the methods shown side by side."""
         self._commit(Commit(self.document.compare(methods), QT_TRANSLATE_NOOP("Step", "Choose methods")))
 
+    def steer(self, motion: Motion) -> None:
+        """Choose the star-skeleton's root and whole turns."""
+        self.motion = motion
+        self._blend(self.document)
+
     def recompute(self) -> None:
         """Compute all blends anew."""
         self._blends.recompute()
@@ -341,7 +349,7 @@ class Session(QObject):
             self.changed.emit()
 
     def _point_by_tool(self) -> None:
-        for side in SIDES:
+        for side in () if self.tool.busy else SIDES:
             if (vertex := self.overlay(side).vertex) is not None:
                 return self.point(side, vertex)
         return self.point("source", None)
@@ -366,6 +374,7 @@ class Session(QObject):
         self._saved, self.path = document, path
         self.selection, self.refusal = Selection(), None
         self.tool = SelectTool() if document.source or document.target else DrawTool()
+        self.motion = Motion()
         self._blends.forget()
         self.tool_changed.emit()
         self.opened.emit()
@@ -379,7 +388,7 @@ class Session(QObject):
     def _blend(self, document: Document, *, live: bool = False) -> None:
         subject = None
         if document.source is not None and document.target is not None:
-            subject = Subject(document.source, document.target, document.marks)
+            subject = Subject(document.source, document.target, document.marks, self.motion)
         self._blends.show(subject, document.methods, live=live)
 
 

@@ -2,14 +2,16 @@
 
 from app.compute.blends import Blends
 from app.compute.computer import Computer
-from app.compute.request import Failure, MethodState, Request, Result, Subject
+from app.compute.request import STEERED, Failure, MethodState, Motion, Request, Result, Subject
 from app.compute.trace import Trace, trace_of
 
 __all__ = [
+    "STEERED",
     "Blends",
     "Computer",
     "Failure",
     "MethodState",
+    "Motion",
     "Request",
     "Result",
     "Subject",

@@ -49,15 +49,18 @@ class Spokes:
     vectors: PolarVectors
 
 
-def spokes_of(skeleton: Skeleton) -> Spokes:
-    """Give the spokes of a skeleton's decomposition, unwrapped from the root outwards."""
+def spokes_of(skeleton: Skeleton, turns: int = 0) -> Spokes:
+    """Give the spokes of a skeleton's decomposition, unwrapped from the root outwards.
+
+    All of them turn by so many whole turns more than they need, counter-clockwise.
+    """
     layout = _layout(skeleton)
     dec = skeleton.decomposition
     source = _side(layout, dec.source, dec.source_origins)
     target = _side(layout, dec.target, dec.target_origins)
     rotations = _rotations(skeleton, layout, source, target)
     lengths = source.lengths, target.lengths
-    vectors = PolarVectors.between(source.directions, target.directions, rotations, lengths)
+    vectors = PolarVectors.between(source.directions, target.directions, rotations, lengths).turned(turns)
     return Spokes(layout.pieces, layout.rows, layout.outer, layout.inner, vectors)
 
 

@@ -36,7 +36,7 @@ def slow(monkeypatch: pytest.MonkeyPatch) -> dict[str, threading.Event]:
     """Make every blend wait until it is let go or told to stop."""
     events = {"begun": threading.Event(), "go": threading.Event(), "stopped": threading.Event()}
 
-    def slow_blend(pair, *, method, decomposition, progress, should_stop):  # type: ignore[no-untyped-def]
+    def slow_blend(pair, *, method, should_stop, **rest):  # type: ignore[no-untyped-def]
         events["begun"].set()
         for _ in range(1000):
             if should_stop():
