@@ -7,8 +7,8 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from app.compute import Blends, MethodState, Motion, Result, Subject, Trace, trace_of
-from app.model.document import Document
+from app.compute import UNHURRIED, Blends, MethodState, Motion, Result, Subject, Trace, trace_of
+from app.model.document import Document, lost_marks
 from app.model.history import History
 from app.model.marks import SIDES, Marks, Side
 from app.model.selection import Selection, everything
@@ -17,13 +17,13 @@ from app.tools.draw import DrawTool
 from app.tools.figure import EllipseTool, RectangleTool, RegularPolygonTool, StarTool
 from app.tools.freehand import FreehandTool
 from app.tools.mark import MarkTool
+from app.tools.marking import replace_marks
 from app.tools.select import SelectTool
 from app.tools.settings import Settings
 from app.tools.text import TextTool
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
 from starskel import METHODS
 from starskel.blending import COMPARED
-from starskel.errors import InvalidMarks
 from starskel.files.project import Project, read_project, write_project
 
 TOOLS: dict[str, type[Tool]] = {
@@ -43,8 +43,8 @@ TOOLS: dict[str, type[Tool]] = {
 
 Pointed = tuple[Side, int]
 
-USUAL_METHODS = COMPARED
-"""What is compared until the user chooses: every method."""
+USUAL_METHODS = tuple(method for method in COMPARED if method not in UNHURRIED)
+"""What is compared until the user chooses: every method that is quick."""
 
 
 class Session(QObject):
@@ -60,6 +60,8 @@ class Session(QObject):
         What the user has set for the tools.
     refusal : Refusal or None
         The last edit that was not possible, until the next one is tried.
+    lost : int
+        How many marks the last edit of a shape took along, until the next one is begun.
     path : Path or None
         The project file, None before it has one.
     motion : Motion
@@ -95,6 +97,7 @@ class Session(QObject):
         self.tool: Tool = SelectTool()
         self.settings = Settings()
         self.refusal: Refusal | None = None
+        self.lost = 0
         self.path: Path | None = None
         self.pointed: Pointed | None = None
         self.motion = Motion()
@@ -209,6 +212,9 @@ class Session(QObject):
         """Give up the nearest thing that can be given up: gesture, notice, computation, selection."""
         if self.tool.busy or self.refusal is not None:
             self._answer(Response(self.tool.cancel()))
+        elif self.lost:
+            self.lost = 0
+            self.changed.emit()
         elif self.busy:
             self._blends.cancel()
         else:
@@ -234,21 +240,6 @@ class Session(QObject):
         if pointed != self.pointed:
             self.pointed = pointed
             self.pointed_changed.emit()
-
-    def mark(self, source: int, target: int) -> bool:
-        """Add a mark; False where that is refused."""
-        return self._remark(
-            QT_TRANSLATE_NOOP("Step", "Set mark"), partial(self.document.mark, source, target)
-        )
-
-    def repin(self, index: int, side: Side, vertex: int) -> bool:
-        """Move one end of a mark; False where that is refused."""
-        moved = partial(self.document.repin, index, side, vertex)
-        return self._remark(QT_TRANSLATE_NOOP("Step", "Move mark"), moved)
-
-    def unmark(self, index: int) -> None:
-        """Remove a mark."""
-        self._remark(QT_TRANSLATE_NOOP("Step", "Remove mark"), partial(self.document.unmark, index))
 
     def suggest_marks(self, count: int) -> None:
         """Replace all marks by so many that suggest themselves, as soon as they are found."""
@@ -313,28 +304,18 @@ class Session(QObject):
 
     # how answers and documents come in
 
-    def _remark(self, name: str, verb: Callable[[], Document]) -> bool:
-        if not self.finish():
-            return False
-        try:
-            commit = Commit(verb(), name)
-        except InvalidMarks as error:
-            self._answer(Response(self.tool, refusal=Refusal("source", error, marks=error.marks)))
-            return False
-        self._answer(Response(self.tool, commit))
-        return True
-
     @Slot(object)
     def _take_marks(self, marks: Marks) -> None:
-        name = QT_TRANSLATE_NOOP("Step", "Suggest marks")
-        self._commit(Commit(self.document.remark(marks), name))
+        self.edit(partial(replace_marks, marks=marks))
 
     def _scene(self) -> Scene:
         return Scene(self.document, self.selection, self.settings)
 
     def _answer(self, response: Response) -> None:
-        former = self.tool, self.refusal, self.selection
+        former = self.tool, self.refusal, self.selection, self.lost
         self.tool, self.refusal = response.tool, response.refusal
+        if self.refusal is not None or self.tool.busy:
+            self.lost = 0
         if response.selection is not None:
             self.selection = response.selection
         if response.commit is not None:
@@ -345,7 +326,8 @@ class Session(QObject):
             self.tool_changed.emit()
         if self.tool != former[0]:
             self._point_by_tool()
-        if (self.tool, self.refusal, self.selection) != former:  # most moves of the pointer change nothing
+        now = self.tool, self.refusal, self.selection, self.lost
+        if now != former:  # most moves of the pointer change nothing
             self.changed.emit()
 
     def _point_by_tool(self) -> None:
@@ -358,6 +340,7 @@ class Session(QObject):
         if commit.document == self.document:
             self._blend(self.document)  # the gesture ended where it began
             return
+        self.lost = lost_marks(self.document, commit.document)
         self._history = self._history.push(commit.document, commit.name, commit.joins)
         self._refresh()
 
@@ -365,6 +348,7 @@ class Session(QObject):
         former = self.document
         self._history = history
         self.selection = self.selection.after(former, self.document)
+        self.lost = 0
         self.tool = TOOLS[self.tool.name]()
         self.refusal = None
         self._refresh()
@@ -372,7 +356,7 @@ class Session(QObject):
     def _start(self, document: Document, path: Path | None) -> None:
         self._history = History.of(document)
         self._saved, self.path = document, path
-        self.selection, self.refusal = Selection(), None
+        self.selection, self.refusal, self.lost = Selection(), None, 0
         self.tool = SelectTool() if document.source or document.target else DrawTool()
         self.motion = Motion()
         self._blends.forget()

@@ -66,6 +66,18 @@ class Points:
             dict(self.places),
         )
 
+    def again(self, rows: Indices) -> "Points":
+        """Give these points followed by some of them once more."""
+        free = self.start[rows] == self.end[rows]
+        new = len(self.start) + np.arange(len(rows))
+        return Points(
+            np.concatenate([self.coordinates, self.coordinates[rows]]),
+            np.concatenate([self.start, np.where(free, new, self.start[rows])]),
+            np.concatenate([self.end, np.where(free, new, self.end[rows])]),
+            np.concatenate([self.share, self.share[rows]]),
+            dict(self.places),
+        )
+
     def orientation(self, i: Indices, j: Indices, k: Indices) -> Signs:
         """Tell whether the turn from point i over j to k is left (1), right (-1) or none (0), exactly."""
         rounded = self.rounded

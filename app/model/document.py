@@ -1,6 +1,6 @@
 """Document: a frozen snapshot of all that is edited, with verbs that give new documents."""
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -119,6 +119,29 @@ class Document:
             )
         return self._reshape(side, ring, pins.after_deletion(self.marks, side, vertices))
 
+    def reform(self, side: Side, ring: Floats, place: Callable[[int], int | None]) -> "Document":
+        """Give a shape another ring; `place` tells where each vertex is in it, None where it is gone.
+
+        Raises
+        ------
+        InvalidPolygon
+            If edges would cross or vertices coincide.
+        InvalidMarks
+            If the shape is turned inside out so that marks cross.
+        """
+        ends = ((mark, place(pins.end(mark, side))) for mark in self.marks)
+        marks = tuple(pins.with_end(mark, side, vertex) for mark, vertex in ends if vertex is not None)
+        return self._reshape(side, ring, marks)
+
+    def marked(self, side: Side) -> tuple[int, ...]:
+        """Give the vertices on this side that are marked."""
+        return tuple(pins.end(mark, side) for mark in self.marks)
+
+    def exchanged(self) -> "Document":
+        """Exchange source and target."""
+        marks = tuple((target, source) for source, target in self.marks)
+        return replace(self, source=self.target, target=self.source, marks=marks)
+
     def mark(self, source: int, target: int) -> "Document":
         """Add the mark that these vertices correspond.
 
@@ -179,3 +202,10 @@ class Document:
         if side == "source":
             return replace(self, source=own, marks=marks)
         return replace(self, target=own, marks=marks)
+
+
+def lost_marks(before: Document, after: Document) -> int:
+    """Count the marks that an edit of the shapes took along."""
+    if (before.source, before.target) == (after.source, after.target):
+        return 0
+    return max(len(before.marks) - len(after.marks), 0)

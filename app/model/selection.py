@@ -3,8 +3,11 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+import numpy as np
+
 from app.model.document import Document
 from app.model.marks import Side
+from starskel.predicates import Floats
 
 
 @dataclass(frozen=True)
@@ -42,6 +45,12 @@ class Selection:
         if len(old.vertices(self.side)) == len(new.vertices(self.side)):
             return self
         return Selection(self.side)
+
+
+def at_places(document: Document, side: Side, places: Floats) -> Selection:
+    """Select the vertices of one shape that are at these places, (k, 2), whatever their numbers are now."""
+    found = (document.vertices(side)[:, None] == places).all(axis=2).any(axis=1)
+    return Selection(side, frozenset(np.flatnonzero(found).tolist()))
 
 
 def everything(document: Document, side: Side) -> Selection:

@@ -6,12 +6,15 @@ import shapely
 from starskel.polygon import crossing_edges
 from starskel.predicates import Floats
 
-TAIL = 0.3
-"""What may be cut off a line's two ends, as a part of its length, where they cross."""
+LOOP = 0.3
+"""The longest loop that is cut off, as a part of the whole length."""
+
+MOST = 50
+"""Loops that are cut off; a scribble has more."""
 
 
 def closed(line: Floats) -> Floats:
-    """Close a line to a ring; where its ends cross, what is beyond the crossing goes.
+    """Close a line to a ring; ends that overshoot and small loops on the way are cut off where they cross.
 
     Parameters
     ----------
@@ -21,24 +24,36 @@ def closed(line: Floats) -> Floats:
     Returns
     -------
     (m, 2) array
-        The ring; it crosses itself where the line does so elsewhere than at its ends.
+        A ring that does not cross itself; or the line as it is, where that would take more than `LOOP` of it.
     """
     line = line[:-1] if (line[0] == line[-1]).all() else line
-    pairs = crossing_edges(line)
-    lengths = np.hypot(*np.diff(line, axis=0, append=line[:1]).T)
-    before = np.concatenate([[0.0], np.cumsum(lengths)])[:-1]
-    waste = before[pairs[:, 0]] + (before[-1] - before[pairs[:, 1]])
-    allowed = waste <= TAIL * before[-1]
-    for i, j in pairs[allowed][np.argsort(waste[allowed], kind="stable")].tolist():
-        ring = _cut(line, i, j)
-        if len(ring) >= 3 and not len(crossing_edges(ring)):
+    ring, longest = line, LOOP * _lengths(line).sum()
+    for _ in range(MOST):
+        pairs = crossing_edges(ring)
+        if not len(pairs):
             return ring
+        lengths = _lengths(ring)
+        along = np.cumsum(lengths)
+        between = along[pairs[:, 1]] - along[pairs[:, 0]]
+        loops = np.minimum(between, along[-1] - between)
+        smallest = int(loops.argmin())
+        if loops[smallest] > longest:
+            break
+        ring = _without_loop(ring, *pairs[smallest], inner=between[smallest] <= along[-1] / 2)
     return line
 
 
-def _cut(line: Floats, i: int, j: int) -> Floats:
-    """Give the loop that begins and ends where edge i crosses edge j."""
-    first, second = (shapely.linestrings(line[[k, (k + 1) % len(line)]]) for k in (i, j))
+def _lengths(ring: Floats) -> Floats:
+    lengths: Floats = np.hypot(*(np.roll(ring, -1, axis=0) - ring).T)
+    return lengths
+
+
+def _without_loop(ring: Floats, i: int, j: int, *, inner: bool) -> Floats:
+    """Cut off the loop between edges i and j, which cross, or all but that loop."""
+    first, second = (shapely.linestrings(ring[[k, (k + 1) % len(ring)]]) for k in (i, j))
     corner = shapely.get_coordinates(shapely.intersection(first, second))[:1]
-    loop = line[i + 1 : j + 1]
-    return loop if len(corner) and (loop == corner).all(axis=1).any() else np.concatenate([corner, loop])
+    parts = (ring[: i + 1], corner, ring[j + 1 :]) if inner else (corner, ring[i + 1 : j + 1])
+    cut = np.concatenate(parts)
+    repeated = (cut == np.roll(cut, 1, axis=0)).all(axis=1)
+    distinct: Floats = cut[~repeated]
+    return distinct

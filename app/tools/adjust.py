@@ -106,18 +106,18 @@ class Adjustable(Tool):
     def move(self, scene: Scene, pointer: Pointer) -> Response:
         """Stay: the pointer is on its way to the options."""
         response = self.then.move(scene, pointer)
-        if scene.document is not self.made:
+        if scene.document != self.made:
             return response
         return replace(response, tool=replace(self, then=response.tool))
 
     def adjust(self, scene: Scene) -> Response:
-        if scene.document is not self.made:
+        if scene.document != self.made:
             return Response(self.then)
         return done(self.edit, replace(scene, document=self.before), self)
 
     def overlay(self, scene: Scene, side: Side) -> Overlay:
         overlay = self.then.overlay(scene, side)
-        if side != self.edit.side or scene.document is not self.made or not self.edit.trail:
+        if side != self.edit.side or scene.document != self.made or not self.edit.trail:
             return overlay
         return replace(overlay, trail=np.array(self.edit.trail))
 

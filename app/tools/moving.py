@@ -9,7 +9,7 @@ import numpy as np
 from app.model import transforms
 from app.model.document import Point
 from app.model.marks import Side
-from app.model.selection import Selection
+from app.model.selection import Selection, at_places
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.model.transforms import Box, box_of
 from app.tools.handles import CORNERS, TURN
@@ -213,5 +213,4 @@ def placed(scene: Scene, idle: Tool, selection: Selection, ring: Floats, name: s
     except StarskelError as error:
         return Response(idle, refusal=refused_ring(side, ring, error))
     # a shape that is turned inside out numbers its vertices anew
-    moved = (document.vertices(side)[:, None] == ring[sorted(selection.vertices)]).all(axis=2).any(axis=1)
-    return Response(idle, Commit(document, name), Selection(side, frozenset(np.flatnonzero(moved).tolist())))
+    return Response(idle, Commit(document, name), at_places(document, side, ring[sorted(selection.vertices)]))

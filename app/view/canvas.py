@@ -74,6 +74,12 @@ class Canvas(QWidget):
         self._fits = True
         self._aim()
 
+    def reveal(self) -> None:
+        """Show the whole shape where a part of it is out of sight."""
+        screen = self.camera.to_screen(self._session.document.vertices(self.side))
+        if not ((screen >= 0) & (screen <= (self.width(), self.height()))).all():
+            self.fit()
+
     def zoom(self, factor: float) -> None:
         """Zoom at the middle of the view."""
         self._look(self.camera.zoomed(factor, self.width() / 2, self.height() / 2))

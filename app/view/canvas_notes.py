@@ -17,6 +17,8 @@ translate = QCoreApplication.translate
 
 INSET = 10.0
 
+NOTICE_FLAGS = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+
 NOTICE = 340.0
 """Width of a notice, in pixels."""
 
@@ -69,21 +71,45 @@ def paint_notice(  # noqa: PLR0913, PLR0917 -- what it says, and what it must no
     painter: QPainter, theme: Theme, frame: QRectF, text: str, concerned: list[QPointF], ring: Floats
 ) -> None:
     """Write why something was refused, beside what it is about."""
-    painter.setFont(_sized(painter.font(), 10.0))
-    flags = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-    width = min(NOTICE, frame.width() - 2 * INSET)
-    height = painter.boundingRect(QRectF(0, 0, width - 42, 0), flags, text).height() + 14
-    box = notice_box(width, height, frame.adjusted(INSET, 36, -INSET, -INSET), concerned, ring)
-    painter.setPen(pen(theme.refused, 1.5))
-    painter.setBrush(QColor(theme.base))
-    painter.drawRoundedRect(box, 5, 5)
+    size = _notice_size(painter, frame, text)
+    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET), concerned, ring)
+    _paint_plate(painter, theme, box, theme.refused)
     cross_at(painter, QPointF(box.left() + 16, box.center().y()), QColor(theme.refused), 4.5)
     painter.setPen(QColor(theme.text))
-    painter.drawText(box.adjusted(32, 0, -10, 0), flags, text)
+    painter.drawText(box.adjusted(32, 0, -10, 0), NOTICE_FLAGS, text)
+
+
+def paint_news(painter: QPainter, theme: Theme, frame: QRectF, text: str) -> None:
+    """Write what an edit brought with it, on the lower edge."""
+    size = _notice_size(painter, frame, text)
+    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET))
+    _paint_plate(painter, theme, box, theme.accent)
+    painter.setPen(QColor(theme.text))
+    painter.drawText(box.adjusted(32, 0, -10, 0), NOTICE_FLAGS, text)
+    painter.setPen(QColor(theme.accent))
+    painter.setFont(_sized(painter.font(), 12.0, bold=True))
+    painter.drawText(QRectF(box.left() + 8, box.top(), 16, box.height()), Qt.AlignmentFlag.AlignCenter, "i")
+
+
+def _notice_size(painter: QPainter, frame: QRectF, text: str) -> tuple[float, float]:
+    """Set the font of a notice, and give the width and the height of its box."""
+    painter.setFont(_sized(painter.font(), 10.0))
+    width = min(NOTICE, frame.width() - 2 * INSET)
+    return width, painter.boundingRect(QRectF(0, 0, width - 42, 0), NOTICE_FLAGS, text).height() + 14
+
+
+def _paint_plate(painter: QPainter, theme: Theme, box: QRectF, edge: str) -> None:
+    painter.setPen(pen(edge, 1.5))
+    painter.setBrush(QColor(theme.base))
+    painter.drawRoundedRect(box, 5, 5)
 
 
 def notice_box(
-    width: float, height: float, room: QRectF, concerned: Sequence[QPointF], ring: Floats
+    width: float,
+    height: float,
+    room: QRectF,
+    concerned: Sequence[QPointF] = (),
+    ring: Floats | None = None,
 ) -> QRectF:
     """Give the box in the room that is near to what it is about, hides none of it and little of the ring.
 
@@ -102,8 +128,10 @@ def _distance(box: QRectF, places: Sequence[QPointF]) -> float:
     return sum((box.center() - place).manhattanLength() for place in places)
 
 
-def _hidden(box: QRectF, ring: Floats) -> float:
+def _hidden(box: QRectF, ring: Floats | None) -> float:
     """Give the part of a ring's vertices that a box hides."""
+    if ring is None or not len(ring):
+        return 0.0
     low, high = (box.left(), box.top()), (box.right(), box.bottom())
     return float(((ring >= low) & (ring <= high)).all(axis=1).mean())
 

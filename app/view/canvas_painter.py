@@ -11,9 +11,9 @@ from app.tools.tool import Overlay
 from app.view import words
 from app.view.camera import Camera
 from app.view.canvas_gesture import GesturePainter, square
-from app.view.canvas_notes import paint_caption, paint_invitation, paint_notice
+from app.view.canvas_notes import paint_caption, paint_invitation, paint_news, paint_notice
 from app.view.display import Layers
-from app.view.drawing import faded, pen, point_of, polygon_of
+from app.view.drawing import faded, lines_of, pen, point_of, polygon_of
 from app.view.frame_layers import paint_numbers, paint_way
 from app.view.pins import Pin, cross_at, outward, paint_pins
 from app.view.structure import paint_cut
@@ -24,6 +24,10 @@ CROWDED = 7.0
 """Vertices nearer to each other than so many pixels, on average, are not shown one by one."""
 
 DIAMOND = (QPointF(0, -8), QPointF(8, 0), QPointF(0, 8), QPointF(-8, 0))
+
+
+CLOSEST = 8.0
+"""Lines of the grid are no nearer to each other than so many pixels."""
 
 
 class CanvasPainter:
@@ -54,6 +58,7 @@ class CanvasPainter:
     def paint(self) -> None:
         """Paint everything, from the ground up."""
         self._painter.fillRect(self._frame(), QColor(self._theme.base))
+        self._paint_grid()
         self._painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._paint_shape()
         self._paint_structure()
@@ -65,9 +70,30 @@ class CanvasPainter:
         GesturePainter(self._painter, self._theme, self._camera, self._colour).paint(self._overlay)
         self._paint_words()
         self._paint_refusal()
+        if self._session.lost and self._side == self._session.selection.side:
+            text = words.lost_marks(self._session.lost)
+            paint_news(self._painter, self._theme, self._frame(), text)
 
     def _frame(self) -> QRectF:
         return QRectF(0, 0, self._camera.width, self._camera.height)
+
+    def _paint_grid(self) -> None:
+        """Show the grid where it catches the pointer; where its lines would run together, every fifth."""
+        snapping = self._session.settings.snapping
+        if not snapping.grid:
+            return
+        spacing = snapping.spacing
+        while spacing * self._camera.scale < CLOSEST:
+            spacing *= 5
+        left, top = self._camera.to_document(0, 0)
+        right, low = self._camera.to_document(self._camera.width, self._camera.height)
+        across, upwards = (
+            np.arange(np.ceil(a / spacing), b / spacing) * spacing for a, b in ((left, right), (low, top))
+        )
+        lines = [((x, low), (x, top)) for x in across] + [((left, y), (right, y)) for y in upwards]
+        ends = self._camera.to_screen(np.array(lines).reshape(-1, 2, 2))
+        self._painter.setPen(pen(faded(self._theme.edge, 0.6)))
+        self._painter.drawLines(lines_of(ends[:, 0], ends[:, 1]))
 
     # the document
 

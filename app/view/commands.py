@@ -74,6 +74,8 @@ COMMANDS = (
     ),
     *drawing_commands.TOOLS,
     *drawing_commands.SNAPPING,
+    *drawing_commands.CLIPBOARD,
+    *drawing_commands.SHAPE,
     Command(
         "mark",
         QT_TRANSLATE_NOOP("Command", "&Mark"),
@@ -211,7 +213,12 @@ COMMANDS = (
     ),
 )
 
-PALETTE = (*(tool.name for tool in drawing_commands.TOOLS), "mark")
+
+def _names(commands: tuple[Command, ...]) -> tuple[str, ...]:
+    return tuple(command.name for command in commands)
+
+
+PALETTE = (*_names(drawing_commands.TOOLS), "mark")
 """The tools, in the order of the bar at the left."""
 
 MENUS = (
@@ -219,10 +226,14 @@ MENUS = (
         QT_TRANSLATE_NOOP("Command", "&File"),
         ("new", "open", "examples", "", "save", "save-as", "", "export", "", "quit"),
     ),
-    (QT_TRANSLATE_NOOP("Command", "&Edit"), ("undo", "redo", "", "select-all", "delete", "", "cancel")),
+    (
+        QT_TRANSLATE_NOOP("Command", "&Edit"),
+        ("undo", "redo", "", *_names(drawing_commands.CLIPBOARD), "", "select-all", "delete", "", "cancel"),
+    ),
+    (QT_TRANSLATE_NOOP("Command", "&Shape"), _names(drawing_commands.SHAPE)),
     (
         QT_TRANSLATE_NOOP("Command", "&Tools"),
-        (*PALETTE, "", "suggest", "marks", "", *(each.name for each in drawing_commands.SNAPPING)),
+        (*PALETTE, "", "suggest", "marks", "", *_names(drawing_commands.SNAPPING)),
     ),
     (
         QT_TRANSLATE_NOOP("Command", "&Blend"),

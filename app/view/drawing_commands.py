@@ -105,3 +105,69 @@ SNAPPING = (
         True,
     ),
 )
+
+CLIPBOARD = (
+    Command(
+        "cut",
+        QT_TRANSLATE_NOOP("Command", "Cu&t Shape"),
+        QT_TRANSLATE_NOOP("Command", "Take the shape last worked on to the clipboard"),
+        ("Ctrl+X",),
+    ),
+    Command(
+        "copy",
+        QT_TRANSLATE_NOOP("Command", "&Copy Shape"),
+        QT_TRANSLATE_NOOP("Command", "Copy the shape last worked on; other programs get it as SVG"),
+        ("Ctrl+C",),
+    ),
+    Command(
+        "paste",
+        QT_TRANSLATE_NOOP("Command", "&Paste Shape"),
+        QT_TRANSLATE_NOOP("Command", "Put a copied shape, or an SVG outline, on the canvas last worked on"),
+        ("Ctrl+V",),
+    ),
+)
+
+SHAPE = (
+    Command(
+        "copy-across",
+        QT_TRANSLATE_NOOP("Command", "Copy to &Other Canvas"),
+        QT_TRANSLATE_NOOP("Command", "Begin the other shape with a copy of this one, marks and all"),
+        ("Ctrl+D",),
+    ),
+    Command(
+        "exchange",
+        QT_TRANSLATE_NOOP("Command", "&Reverse"),
+        QT_TRANSLATE_NOOP("Command", "Exchange source and target with their marks: the blend runs backwards"),
+        ("Ctrl+R",),
+    ),
+    Command(
+        "mirror-across",
+        QT_TRANSLATE_NOOP("Command", "&Mirror Left and Right"),
+        QT_TRANSLATE_NOOP("Command", "Exchange left and right of the selection, or of the whole shape"),
+        ("Ctrl+Shift+H",),
+    ),
+    Command(
+        "mirror-down",
+        QT_TRANSLATE_NOOP("Command", "Mirror &Up and Down"),
+        QT_TRANSLATE_NOOP("Command", "Exchange above and below of the selection, or of the whole shape"),
+        ("Ctrl+Shift+J",),
+    ),
+    Command(
+        "simplify",
+        QT_TRANSLATE_NOOP("Command", "&Simplify"),
+        QT_TRANSLATE_NOOP("Command", "Leave out vertices that matter least; then adjust how far"),
+        ("Ctrl+L",),
+    ),
+    Command(
+        "refine",
+        QT_TRANSLATE_NOOP("Command", "Re&fine"),
+        QT_TRANSLATE_NOOP("Command", "Add vertices evenly; then adjust how many"),
+        ("Ctrl+Shift+L",),
+    ),
+    Command(
+        "set-first",
+        QT_TRANSLATE_NOOP("Command", "Set First &Vertex"),
+        QT_TRANSLATE_NOOP("Command", "Let the vertices count from the selected one on; it is drawn filled"),
+        ("Ctrl+Shift+F",),
+    ),
+)

@@ -15,6 +15,7 @@ from app.view.actions import Actions
 from app.view.canvas import NOTCH, Canvas
 from app.view.commands import PALETTE
 from app.view.display import Display, Layers
+from app.view.edits import Edits
 from app.view.files import Files
 from app.view.icons import icon
 from app.view.mark_line import MarkLine
@@ -41,8 +42,9 @@ class MainWindow(QMainWindow):
         self.player = Player(self)
         self.display = Display(self)
         self.files = Files(self, session, self.player, self.display)
-        self.actions_table = Actions(self, self._handlers())
         self.canvases: dict[Side, Canvas] = {side: Canvas(session, side, self.display) for side in SIDES}
+        self.edits = Edits(self, session, self.canvases)
+        self.actions_table = Actions(self, self._handlers())
         self.panels = Panels(session, self.player, self.display)
         self.timeline = Timeline(session, self.player, self.actions_table)
         self._examples = examples_menu(self)
@@ -117,6 +119,7 @@ class MainWindow(QMainWindow):
             "select-all": self._select_all,
             "delete": self._delete,
             "cancel": session.cancel,
+            **self.edits.handlers(),
             **dict.fromkeys(PALETTE, self._choose_tool),
             **dict.fromkeys(SWITCHES, self._switch_snapping),
             "suggest": self._suggest_marks,

@@ -18,6 +18,7 @@ _METHODS = (
     QT_TRANSLATE_NOOP("Method", "star-skeleton"),
     QT_TRANSLATE_NOOP("Method", "stitched"),
     QT_TRANSLATE_NOOP("Method", "rigid"),
+    QT_TRANSLATE_NOOP("Method", "certified"),
 )
 
 
@@ -40,6 +41,11 @@ def catch(kind: str, angle: int) -> str:
         "angle": translate("Catch", "{angle}°").format(angle=angle),
         "grid": translate("Catch", "grid"),
     }[kind]
+
+
+def lost_marks(count: int) -> str:
+    """Say that an edit took marks away."""
+    return translate("News", "%n marks went with this edit. Undo brings them back.", "", count)
 
 
 def method(name: str) -> str:

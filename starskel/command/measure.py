@@ -33,7 +33,7 @@ class Moment(msgspec.Struct, frozen=True):
 
 
 class Figures(msgspec.Struct, frozen=True):
-    """What was measured of one pair by one method."""
+    """What was measured of one pair by one method; series have a number for each frame."""
 
     id: str
     method: str
@@ -50,6 +50,10 @@ class Figures(msgspec.Struct, frozen=True):
     angle_deviation: float
     roughness: float
     inside: Distortion | None
+    areas: list[float]
+    area_deviations: list[float]
+    perimeters: list[float]
+    length_deviations: list[float]
 
     @classmethod
     def of(cls, pair_id: str, method: str, vertices: int, report: Report) -> "Figures":
@@ -70,6 +74,10 @@ class Figures(msgspec.Struct, frozen=True):
             angle_deviation=report.angle_deviation,
             roughness=report.roughness,
             inside=report.inside,
+            areas=report.areas.tolist(),
+            area_deviations=report.area_deviations.tolist(),
+            perimeters=report.perimeters.tolist(),
+            length_deviations=report.length_deviations.tolist(),
         )
 
 
@@ -140,7 +148,7 @@ class _Table:
             percent(figures.length_deviation),
             f"{math.degrees(figures.angle_deviation):.1f} deg",
             percent(report.inside.stretch - 1) if report.inside else "-",
-            percent(figures.roughness),
+            f"{100 * figures.roughness:.2f} %",
             crossing_counts(report),
         )
 
@@ -159,7 +167,7 @@ class _Table:
     def _print(self, *cells: str) -> None:
         pair_id, method, area, length, angle, stretch, rough, words = cells
         name, verb = self._widths
-        row = f"{pair_id:{name}}  {method:{verb}} {area:>6} {length:>6} {angle:>8} {stretch:>7} {rough:>6}"
+        row = f"{pair_id:{name}}  {method:{verb}} {area:>6} {length:>6} {angle:>8} {stretch:>7} {rough:>7}"
         print(f"{row}  {words}", flush=True)
 
 

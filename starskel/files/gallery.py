@@ -1,6 +1,7 @@
 """The gallery: a page of many pairs, each with its sheet and figures; no scripts, nothing from elsewhere."""
 
 import math
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
@@ -21,9 +22,20 @@ _ORDERS = (
     ("area", "largest area drift first"),
 )
 
-_FIGURES = (
-    "Method", "Area drift", "Length drift", "Angle drift", "Stretched", "Folded", "Roughness", "Verdict",
-)  # fmt: skip
+_SCALE = 1.4
+"""Pixels of the page for a point of a sheet: all sheets in one size of letters."""
+
+_FIGURES = {
+    "Area drift": "the largest deviation of the area from the linear blend of both areas",
+    "Length drift": "the mean deviation of edge lengths from their linear blend",
+    "Angle drift": "the mean deviation of turning angles from their linear blend",
+    "Stretched": "the mean conformal distortion of the star pieces' fans beyond what the pair demands",
+    "Spread": "the mean deviation of the areas of the fans' triangles from their linear blend",
+    "Folded": "the largest part of the fans, in any frame, that is turned over",
+    "Roughness": "how far a vertex strays at most from even motion within a fiftieth of the time,"
+    " as a part of the size",
+}
+"""What is told of each method, and what it means."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,6 +86,7 @@ def _header(exhibits: Sequence[Exhibit], methods: Sequence[str]) -> str:
         "harmful": "it is twisted or turned inside out",
     }
     legend = "; ".join(f"{_sign(kind)}{kind}: {text}" for kind, text in words.items())
+    meanings = "\n".join(f"<dt>{name}</dt><dd>{meaning}.</dd>" for name, meaning in _FIGURES.items())
     rows = [_summary_row(method, [exhibit.reports[method] for exhibit in exhibits]) for method in methods]
     return f"""<header>
 <h1>Blends side by side</h1>
@@ -81,6 +94,11 @@ def _header(exhibits: Sequence[Exhibit], methods: Sequence[str]) -> str:
 Crossing frames are outlined in red.</p>
 <p>{legend}. Proven: simple for every t, not only in the frames looked at.</p>
 {_table(("Method", "Simple", "Proven", "Natural", "Harmful", "Median area drift"), rows)}
+<details><summary>What the figures mean</summary>
+<dl>
+{meanings}
+</dl>
+</details>
 </header>"""
 
 
@@ -95,7 +113,7 @@ def _summary_row(method: str, reports: Sequence[Report]) -> list[str]:
 def _list(exhibits: Sequence[Exhibit]) -> str:
     """Give the list of pairs. The style sheet sorts it by the ranks that each pair carries."""
     ranks = {
-        "name": _ranks([exhibit.title.casefold() for exhibit in exhibits]),
+        "name": _ranks([_alphabetical(exhibit.title) for exhibit in exhibits]),
         "crossings": _ranks([-sum(len(r.crossing_frames) for r in e.reports.values()) for e in exhibits]),
         "area": _ranks([-max(r.area_deviation for r in e.reports.values()) for e in exhibits]),
     }
@@ -117,6 +135,11 @@ def _ranks(keys: Sequence[str] | Sequence[float]) -> list[int]:
     return [order.index(k) for k in range(len(keys))]
 
 
+def _alphabetical(title: str) -> str:
+    """Give what titles are ordered by: without regard to capitals, numbers by their value."""
+    return re.sub(r"\d+", lambda number: number[0].zfill(9), title.casefold())
+
+
 def _chip(method: str, report: Report) -> str:
     kind = kind_of(report)
     return f'<span class="{kind}" title="{escape(verdict(report))}">{SIGNS[kind]} {method}</span>'
@@ -125,14 +148,14 @@ def _chip(method: str, report: Report) -> str:
 def _section(exhibit: Exhibit) -> str:
     words = "; ".join(f"{method}: {verdict(report)}" for method, report in exhibit.reports.items())
     rows = [_figures(method, report) for method, report in exhibit.reports.items()]
-    sheet = exhibit.sheet
+    width, height = _SCALE * exhibit.sheet.width, _SCALE * exhibit.sheet.height
     return f"""<section id="{exhibit.name}">
 <h2><a href="#{exhibit.name}">{escape(exhibit.title)}</a></h2>
 <p>{escape(exhibit.text)}</p>
-<div class="sheet"><img src="{exhibit.name}.svg" width="{sheet.width:.0f}" height="{sheet.height:.0f}"
+<div class="sheet"><img src="{exhibit.name}.svg" width="{width:.0f}" height="{height:.0f}"
  loading="lazy" alt="{escape(f"{exhibit.title}, frames by each method. {words}")}"></div>
 <details><summary>All figures</summary>
-{_table(_FIGURES, rows)}
+{_table(("Method", *_FIGURES, "Verdict"), rows)}
 </details>
 </section>"""
 
@@ -145,6 +168,7 @@ def _figures(method: str, report: Report) -> list[str]:
         percent(report.length_deviation),
         f"{math.degrees(report.angle_deviation):.1f}°",
         percent(inside.stretch - 1) if inside else "-",
+        percent(inside.spread - 1) if inside else "-",
         percent(inside.folded) if inside else "-",
         f"{100 * report.roughness:.2f} %",
         f'<span class="{kind}">{_sign(kind)}{crossing_counts(report)}</span>',

@@ -16,28 +16,35 @@ from numpy.typing import NDArray
 
 from starskel.outline import turning_angles
 from starskel.predicates import Floats, folds_back, orientation, segments_meet
+from starskel.task import UNWATCHED, Task
 
 Indices = NDArray[np.intp]
 
 
-def in_layers(ring: Floats) -> bool:
+def in_layers(ring: Floats, task: Task = UNWATCHED) -> bool:
     """Tell whether an (n, 2) ring bounds an immersed disk, exactly.
 
     Rings with repeated vertices or edges that fold back do not.
+
+    Raises
+    ------
+    Cancelled
+        If the task is told to stop.
     """
     before, after = np.roll(ring, 1, axis=0), np.roll(ring, -1, axis=0)
     if (ring == after).all(axis=1).any() or folds_back(before, ring, after).any():
         return False
     turns = float(turning_angles(ring).sum()) / (2 * np.pi)
-    return round(turns) == 1 and _can_be_filled(_with_corners_cut(ring))
+    return round(turns) == 1 and _can_be_filled(_with_corners_cut(ring, task), task)
 
 
-def _with_corners_cut(ring: Floats) -> Floats:
+def _with_corners_cut(ring: Floats, task: Task) -> Floats:
     """Leave out vertices, every second one in turn, while there are empty corners."""
     count, first = len(ring) + 1, 0
     while len(ring) > 4:
         if first == 0 and len(ring) == count:
             return ring
+        task.reach(0)
         count = len(ring) if first == 0 else count
         ring = np.delete(ring, _empty_corners(ring, first), axis=0)
         first = 1 - first
@@ -70,11 +77,12 @@ def _enters(turn: NDArray[np.int8], a: Floats, b: Floats, c: Floats, other: Floa
     return np.asarray((turn * orientation(a, b, other) >= 0) & (turn * orientation(a, c, other) <= 0))
 
 
-def _can_be_filled(ring: Floats) -> bool:
+def _can_be_filled(ring: Floats, task: Task) -> bool:
     """Tell whether the string of vertices can be cut into counter-clockwise triangles."""
     n = len(ring)
     filled = np.eye(n, k=1, dtype=np.bool_)
     for span in range(2, n):
+        task.reach(0)
         i = np.arange(n - span)[:, None]
         k, j = i + np.arange(1, span), i + span
         row, step = np.nonzero(filled[i, k] & filled[k, j])

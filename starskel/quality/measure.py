@@ -127,9 +127,10 @@ def _crossings(rings: Floats, times: Floats, task: Task) -> tuple[Crossing, ...]
     found: list[Crossing] = []
     for start in range(0, len(rings), step):
         for k in start + np.flatnonzero(cross_themselves(rings[start : start + step])):
-            task.reach(k / len(rings))
+            frame = task.part(k / len(rings), 1)
+            frame.reach(0)
             places = meeting_places(rings[k], crossing_edges(rings[k]))
-            found.append(Crossing(float(times[k]), int(k), places, in_layers(rings[k])))
+            found.append(Crossing(float(times[k]), int(k), places, in_layers(rings[k], frame)))
     return tuple(found)
 
 

@@ -53,4 +53,4 @@ def _first_meeting(before: Floats, after: Floats, start: float, end: float, task
     frame = (1 - high) * before + high * after
     pairs = crossing_edges(frame)
     places = meeting_places(frame, pairs) if len(pairs) else np.empty((0, 2))
-    return Crossing((1 - high) * start + high * end, None, places, in_layers(frame))
+    return Crossing((1 - high) * start + high * end, None, places, in_layers(frame, task))

@@ -146,6 +146,8 @@ def test_figures_in_json_are_those_of_the_library(capsys, shape_pairs):
             assert figures[name] == getattr(report, name)
         assert [moment["frame"] for moment in figures["crossings"]] == list(report.crossing_frames)
         assert figures["inside"] is None
+        for name in ("areas", "area_deviations", "perimeters", "length_deviations"):
+            assert figures[name] == getattr(report, name).tolist()
 
 
 def test_a_failing_pair_is_named_in_json_too(capsys):

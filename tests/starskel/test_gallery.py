@@ -117,6 +117,13 @@ def test_the_list_can_be_put_in_other_orders(gallery):
     assert by_crossings[0] == "0"  # the hand's fingers cross in more frames than any letter
 
 
+def test_names_are_ordered_by_the_value_of_their_numbers():
+    names = ("figure 10", "Figure 9", "an arm")
+    main(["gallery", "-o", "out", pairs_file(*((name, TRIANGLE) for name in names)), *QUICK])
+    styles = Page(Path("out", "index.html")).having("li", "style")
+    assert [style.split("--name: ")[1][0] for style in styles] == ["2", "1", "0"]
+
+
 def test_equal_calls_write_equal_bytes(gallery):
     assert main(["gallery", HAND, LETTERS, *QUICK, "-o", "again"]) == 0
     for path in gallery.iterdir():

@@ -30,13 +30,14 @@ def test_natural_and_harmful_crossings_are_told_apart() -> None:
     assert "atural" not in details(crossing(harmful))
 
 
-def test_spans_are_those_of_frames_in_a_row() -> None:
-    report = crossing((0.2, 20, True), (0.21, 21, False), (0.7, 70, False))
-    np.testing.assert_allclose(crossing_spans(report), [(0.2, 0.21), (0.7, 0.7)])
+def test_spans_are_those_of_frames_of_a_kind_in_a_row() -> None:
+    report = crossing((0.2, 20, True), (0.21, 21, True), (0.22, 22, False), (0.7, 70, False))
+    spans = [(0.2, 0.21, True), (0.22, 0.22, False), (0.7, 0.7, False)]
+    np.testing.assert_allclose(crossing_spans(report), spans)
     assert crosses_at(report, 0.704)
     assert not crosses_at(report, 0.5)
 
 
 def test_a_crossing_between_frames_is_a_span_too() -> None:
-    assert crossing_spans(crossing((0.123, None, False))) == [(0.123, 0.123)]
+    assert crossing_spans(crossing((0.123, None, False))) == [(0.123, 0.123, False)]
     assert "t = 0.123" in details(crossing((0.123, None, False)))

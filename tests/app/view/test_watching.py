@@ -6,11 +6,12 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QLabel
 
 from app.playback import Repeat
+from app.session import USUAL_METHODS
 from app.view.panels import columns_for
-from starskel import METHODS
-from starskel.blending import COMPARED
 from starskel.files.examples import example
-from tests.app.driver import LEFT, PLAIN, Driver
+from starskel.files.project import Project
+from starskel.polygon import Polygon
+from tests.app.driver import LEFT, PLAIN, TRIANGLE, Driver
 
 
 @pytest.fixture
@@ -29,11 +30,11 @@ def verdict(driver: Driver, method: str) -> str:
 def test_drawing_two_shapes_is_enough_for_all_blends(driver: Driver) -> None:
     driver.draw_both()
     driver.wait_for_blends()
-    assert [result.method for result in driver.session.fresh_results] == list(COMPARED)
+    assert [result.method for result in driver.session.fresh_results] == list(USUAL_METHODS)
 
 
 def test_each_method_gets_a_verdict(arm: Driver) -> None:
-    for method in METHODS:
+    for method in USUAL_METHODS:
         assert "area" in verdict(arm, method)
     assert verdict(arm, "stitched").startswith("✓ simple")
     assert verdict(arm, "vertex").startswith("✕ crosses at t = .")
@@ -154,10 +155,10 @@ def test_methods_are_chosen_from_the_menu_and_the_choice_is_undone(arm: Driver) 
     vertex = next(action for action in menu.actions() if action.data() == "vertex")
     vertex.trigger()
     assert "vertex" not in arm.document.methods
-    assert len(arm.session.fresh_results) == len(METHODS) - 1
+    assert len(arm.session.fresh_results) == len(USUAL_METHODS) - 1
     arm.session.undo()
     arm.wait_for_blends()
-    assert len(arm.session.fresh_results) == len(METHODS)
+    assert len(arm.session.fresh_results) == len(USUAL_METHODS)
 
 
 def test_an_edit_leaves_the_last_blend_on_screen_marked_out_of_date(arm: Driver) -> None:
@@ -231,15 +232,17 @@ def test_panels_are_laid_out_so_that_frames_are_largest(
     assert columns_for(5, width, height, np.array([(0, 0), extent], dtype=float)) == columns
 
 
-def test_the_grid_follows_the_window(arm: Driver) -> None:
-    shown = set()
-    for size in ((1300, 800), (700, 1000)):
-        arm.window.resize(*size)
-        arm.window.panels.resize(size[0], size[1] // 2)
-        panels = [arm.window.panels.panel(method) for method in COMPARED]
-        shown.add(len({panel.x() for panel in panels}))
+def test_the_grid_follows_the_shapes(arm: Driver) -> None:
+    shown = []
+    for source, width in ((TRIANGLE, 1.0), (TRIANGLE, 30.0)):
+        shape = Polygon(np.array(source) * (width, 1.0))
+        arm.session.show_project(Project("", shape, shape, ()))
+        arm.wait_for_blends()
+        QApplication.processEvents()
+        panels = [arm.window.panels.panel(method) for method in arm.document.methods]
+        shown.append(len({panel.x() for panel in panels}))
         assert all(panel.isVisible() for panel in panels)
-    assert len(shown) == 2
+    assert shown[0] > shown[1]
 
 
 def test_the_skeleton_of_a_single_piece_is_its_origin(driver: Driver) -> None:
@@ -255,8 +258,8 @@ def test_the_skeleton_of_a_single_piece_is_its_origin(driver: Driver) -> None:
 def test_a_cancelled_computation_says_how_to_go_on(arm: Driver) -> None:
     arm.session.show_project(example("ribbon"))
     arm.key(Qt.Key.Key_Escape)
-    messages = [arm.window.panels.panel(method).view.message for method in METHODS]
+    messages = [arm.window.panels.panel(method).view.message for method in USUAL_METHODS]
     assert all("F5" in message for message in messages)
     arm.key(Qt.Key.Key_F5)
     arm.wait_for_blends()
-    assert all(arm.window.panels.panel(method).view.message == "" for method in METHODS)
+    assert all(arm.window.panels.panel(method).view.message == "" for method in USUAL_METHODS)
