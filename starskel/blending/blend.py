@@ -31,6 +31,7 @@ def blend(
     decomposition: Decomposition | None = ...,
     root: int | None = ...,
     turns: int = ...,
+    settled: bool = ...,
     progress: Progress | None = ...,
     should_stop: ShouldStop | None = ...,
 ) -> Blend: ...
@@ -46,6 +47,7 @@ def blend(
     decomposition: Decomposition | None = ...,
     root: int | None = ...,
     turns: int = ...,
+    settled: bool = ...,
     progress: Progress | None = ...,
     should_stop: ShouldStop | None = ...,
 ) -> Blend: ...
@@ -60,6 +62,7 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     decomposition: Decomposition | None = None,
     root: int | None = None,
     turns: int = 0,
+    settled: bool = True,
     progress: Progress | None = None,
     should_stop: ShouldStop | None = None,
 ) -> Blend:
@@ -81,6 +84,8 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     turns : int
         Whole turns of the whole shape that the star-skeleton makes besides, counter-clockwise. The other
         methods leave it out of account.
+    settled : bool
+        False gives a blend sooner, where the method goes on improving one: `Blend.improvements` goes on.
     progress : callable, optional
         Called with the fraction done.
     should_stop : callable, optional
@@ -106,7 +111,7 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
         "edge-angle": lambda: EdgeAngleBlend(pair),
         "star-skeleton": lambda: StarSkeletonBlend(_decomposition(pair, decomposition, task), root, turns),
         "stitched": lambda: StitchedBlend(
-            _decomposition(pair, decomposition, task), root, task.part(_DECOMPOSING, 1)
+            _decomposition(pair, decomposition, task), root, task.part(_DECOMPOSING, 1), settled=settled
         ),
         "rigid": lambda: RigidBlend(
             _decomposition(pair, decomposition, task), root, task.part(_DECOMPOSING, 1)
