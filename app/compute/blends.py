@@ -103,9 +103,14 @@ class Blends(QObject):
         return known.outdated() if remembered is None else known.after(remembered)
 
     def _wanted(self, live: bool) -> tuple[str, ...]:
-        """Give the methods to compute, the simplest first, so that there is something to see at once."""
-        stale = [method for method in METHODS if method in self.results and self.results[method].stale]
-        return tuple(method for method in stale if not (live and method in UNHURRIED))
+        """Give the methods to compute, the simplest first, so that there is something to see at once.
+
+        What did not settle during a gesture is computed anew when it ends.
+        """
+        shown = [(method, self.results[method]) for method in METHODS if method in self.results]
+        if live:
+            return tuple(method for method, state in shown if state.stale and method not in UNHURRIED)
+        return tuple(method for method, state in shown if state.stale or not state.settled)
 
     @Slot(object)
     def _take(self, outcome: Result | Failure) -> None:

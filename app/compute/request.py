@@ -70,12 +70,15 @@ class Result:
     report : Report
     samples : (k, n, 2) array
         Frames evenly spread over [0, 1].
+    settled : bool
+        Whether no better one will follow.
     """
 
     method: str
     blend: Blend
     report: Report
     samples: Floats
+    settled: bool = True
 
     @property
     def box(self) -> Floats:
@@ -108,6 +111,11 @@ class MethodState:
     result: Result | None = None
     error: Exception | None = None
     stale: bool = True
+
+    @property
+    def settled(self) -> bool:
+        """Whether no better result is to be expected."""
+        return self.result is None or self.result.settled
 
     def outdated(self) -> "MethodState":
         """Mark it stale; the last good blend stays."""

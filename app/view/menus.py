@@ -9,7 +9,7 @@ from app.view import words
 from app.view.actions import Actions, say
 from app.view.commands import MENUS, PALETTE, TOOLBAR
 from starskel.blending import COMPARED
-from starskel.files.examples import example, example_names
+from starskel.files.examples import example, example_names, figure_number
 
 translate = QCoreApplication.translate
 
@@ -57,8 +57,14 @@ def tool_palette(actions: Actions) -> QToolBar:
 def examples_menu(parent: QWidget) -> QMenu:
     """Give a menu of the examples; each action's data is the example's name."""
     menu = QMenu(translate("Menus", "E&xamples"), parent)
+    menu.setToolTipsVisible(True)
     for name in example_names():
-        menu.addAction(example(name).name).setData(name)
+        if figure_number(name) == 1:
+            menu.addSection(translate("Menus", "Figures of the paper"))
+        project = example(name)
+        action = menu.addAction(project.name)
+        action.setData(name)
+        action.setToolTip(project.description)
     return menu
 
 

@@ -30,6 +30,7 @@ def blend(
     method: str = ...,
     decomposition: Decomposition | None = ...,
     root: int | None = ...,
+    settled: bool = ...,
     progress: Progress | None = ...,
     should_stop: ShouldStop | None = ...,
 ) -> Blend: ...
@@ -44,6 +45,7 @@ def blend(
     *,
     decomposition: Decomposition | None = ...,
     root: int | None = ...,
+    settled: bool = ...,
     progress: Progress | None = ...,
     should_stop: ShouldStop | None = ...,
 ) -> Blend: ...
@@ -57,6 +59,7 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     *,
     decomposition: Decomposition | None = None,
     root: int | None = None,
+    settled: bool = True,
     progress: Progress | None = None,
     should_stop: ShouldStop | None = None,
 ) -> Blend:
@@ -75,6 +78,8 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
         That of the pair, where it is known already; else it is computed if the method needs it.
     root : int, optional
         The piece that is the skeleton's root; else the one with the most neighbours.
+    settled : bool
+        False gives a blend sooner, where the method goes on improving one: `Blend.improvements` goes on.
     progress : callable, optional
         Called with the fraction done.
     should_stop : callable, optional
@@ -100,7 +105,7 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
         "edge-angle": lambda: EdgeAngleBlend(pair),
         "star-skeleton": lambda: StarSkeletonBlend(_decomposition(pair, decomposition, task), root),
         "stitched": lambda: StitchedBlend(
-            _decomposition(pair, decomposition, task), root, task.part(_DECOMPOSING, 1)
+            _decomposition(pair, decomposition, task), root, task.part(_DECOMPOSING, 1), settled=settled
         ),
         "rigid": lambda: RigidBlend(
             _decomposition(pair, decomposition, task), root, task.part(_DECOMPOSING, 1)
