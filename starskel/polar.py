@@ -3,11 +3,8 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from starskel.predicates import Floats
-
-Complex = NDArray[np.complex128]
+from starskel.predicates import Complex, Floats
 
 
 def as_complex(points: Floats) -> Complex:

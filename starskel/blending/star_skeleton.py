@@ -6,8 +6,8 @@ from numpy.typing import NDArray
 from starskel.blending.frames import checked_times, with_exact_ends
 from starskel.blending.pieces import PieceBlend
 from starskel.decomposition.pieces import Decomposition
-from starskel.polar import Complex, as_complex, as_points
-from starskel.predicates import Floats
+from starskel.polar import as_complex, as_points
+from starskel.predicates import Complex, Floats
 from starskel.skeleton import skeleton_of
 from starskel.skeleton.spokes import spokes_of
 

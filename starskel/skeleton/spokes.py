@@ -16,13 +16,10 @@ its own rotation, and the root is left with one free choice: whole turns of the 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from starskel.polar import Complex, PolarVectors, as_complex
-from starskel.predicates import ROUNDING, Floats
+from starskel.polar import PolarVectors, as_complex
+from starskel.predicates import ROUNDING, Complex, Floats, Indices
 from starskel.skeleton import Skeleton
-
-Indices = NDArray[np.intp]
 
 
 @dataclass(frozen=True, eq=False)
