@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import starskel
@@ -118,7 +118,6 @@ def test_what_limbs_find_does_not_depend_on_how_they_lie(seed):
     assert shifted == [(i, (j - 7) % n) for i, j in marks]
 
 
-@settings(deadline=None)  # a busy machine is no fault
 @given(
     st.integers(5, 16),
     st.integers(0, 40),
