@@ -10,9 +10,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy import sparse
 
-from starskel.certificate import Indices, near_pairs, seen_ends
-from starskel.polar import Complex
-from starskel.predicates import Floats
+from starskel.certificate import near_pairs, seen_ends
+from starskel.predicates import Complex, Floats, Indices
 
 REACH = 0.05
 """The largest distance at which pairs push each other apart, as a part of the size."""

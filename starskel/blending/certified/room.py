@@ -7,8 +7,8 @@ import numpy as np
 from starskel.blending.certified.barrier import contacts
 from starskel.certificate import near_pairs, safe
 from starskel.clearance import stay_clear
-from starskel.polar import Complex, as_complex
-from starskel.predicates import Floats
+from starskel.polar import as_complex
+from starskel.predicates import Complex, Floats
 
 KEPT = 1e-3
 """The distance to be kept, as a part of the size."""
