@@ -140,7 +140,7 @@ def test_improving_stops_when_it_is_told_to():
         return len(asked) > 5
 
     with pytest.raises(Cancelled):
-        list(first.improvements(Task(should_stop=should_stop)))
+        list(first.improvements(should_stop=should_stop))
     assert len(asked) == 6
 
 
