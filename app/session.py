@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from app.compute import UNHURRIED, Blends, MethodState, Result, Subject, Trace, trace_of
+from app.compute import UNHURRIED, Blends, MethodState, Motion, Result, Subject, Trace, trace_of
 from app.model.document import Document, lost_marks
 from app.model.history import History
 from app.model.marks import SIDES, Marks, Side
@@ -17,13 +17,13 @@ from app.tools.draw import DrawTool
 from app.tools.figure import EllipseTool, RectangleTool, RegularPolygonTool, StarTool
 from app.tools.freehand import FreehandTool
 from app.tools.mark import MarkTool
+from app.tools.marking import replace_marks
 from app.tools.select import SelectTool
 from app.tools.settings import Settings
 from app.tools.text import TextTool
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
 from starskel import METHODS
 from starskel.blending import COMPARED
-from starskel.errors import InvalidMarks
 from starskel.files.project import Project, read_project, write_project
 
 TOOLS: dict[str, type[Tool]] = {
@@ -64,6 +64,8 @@ class Session(QObject):
         How many marks the last edit of a shape took along, until the next one is begun.
     path : Path or None
         The project file, None before it has one.
+    motion : Motion
+        The star-skeleton's root and whole turns; a way of looking at the document, no part of it.
     pointed : (side, int) or None
         The vertex that is pointed at, on a canvas or in the table of marks.
     """
@@ -98,6 +100,7 @@ class Session(QObject):
         self.lost = 0
         self.path: Path | None = None
         self.pointed: Pointed | None = None
+        self.motion = Motion()
 
     @property
     def document(self) -> Document:
@@ -238,21 +241,6 @@ class Session(QObject):
             self.pointed = pointed
             self.pointed_changed.emit()
 
-    def mark(self, source: int, target: int) -> bool:
-        """Add a mark; False where that is refused."""
-        return self._remark(
-            QT_TRANSLATE_NOOP("Step", "Set mark"), partial(self.document.mark, source, target)
-        )
-
-    def repin(self, index: int, side: Side, vertex: int) -> bool:
-        """Move one end of a mark; False where that is refused."""
-        moved = partial(self.document.repin, index, side, vertex)
-        return self._remark(QT_TRANSLATE_NOOP("Step", "Move mark"), moved)
-
-    def unmark(self, index: int) -> None:
-        """Remove a mark."""
-        self._remark(QT_TRANSLATE_NOOP("Step", "Remove mark"), partial(self.document.unmark, index))
-
     def suggest_marks(self, count: int) -> None:
         """Replace all marks by so many that suggest themselves, as soon as they are found."""
         if self.finish():
@@ -261,6 +249,11 @@ class Session(QObject):
     def compare(self, methods: tuple[str, ...]) -> None:
         """Choose the methods shown side by side."""
         self._commit(Commit(self.document.compare(methods), QT_TRANSLATE_NOOP("Step", "Choose methods")))
+
+    def steer(self, motion: Motion) -> None:
+        """Choose the star-skeleton's root and whole turns."""
+        self.motion = motion
+        self._blend(self.document)
 
     def recompute(self) -> None:
         """Compute all blends anew."""
@@ -311,21 +304,9 @@ class Session(QObject):
 
     # how answers and documents come in
 
-    def _remark(self, name: str, verb: Callable[[], Document]) -> bool:
-        if not self.finish():
-            return False
-        try:
-            commit = Commit(verb(), name)
-        except InvalidMarks as error:
-            self._answer(Response(self.tool, refusal=Refusal("source", error, marks=error.marks)))
-            return False
-        self._answer(Response(self.tool, commit))
-        return True
-
     @Slot(object)
     def _take_marks(self, marks: Marks) -> None:
-        name = QT_TRANSLATE_NOOP("Step", "Suggest marks")
-        self._commit(Commit(self.document.remark(marks), name))
+        self.edit(partial(replace_marks, marks=marks))
 
     def _scene(self) -> Scene:
         return Scene(self.document, self.selection, self.settings)
@@ -350,7 +331,7 @@ class Session(QObject):
             self.changed.emit()
 
     def _point_by_tool(self) -> None:
-        for side in SIDES:
+        for side in () if self.tool.busy else SIDES:
             if (vertex := self.overlay(side).vertex) is not None:
                 return self.point(side, vertex)
         return self.point("source", None)
@@ -377,6 +358,7 @@ class Session(QObject):
         self._saved, self.path = document, path
         self.selection, self.refusal, self.lost = Selection(), None, 0
         self.tool = SelectTool() if document.source or document.target else DrawTool()
+        self.motion = Motion()
         self._blends.forget()
         self.tool_changed.emit()
         self.opened.emit()
@@ -390,7 +372,7 @@ class Session(QObject):
     def _blend(self, document: Document, *, live: bool = False) -> None:
         subject = None
         if document.source is not None and document.target is not None:
-            subject = Subject(document.source, document.target, document.marks)
+            subject = Subject(document.source, document.target, document.marks, self.motion)
         self._blends.show(subject, document.methods, live=live)
 
 

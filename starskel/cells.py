@@ -9,8 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from starskel.points import Indices
-from starskel.predicates import ROUNDING, Floats
+from starskel.predicates import ROUNDING, Floats, Indices
 from starskel.triangulation import Triangulation
 
 

@@ -14,9 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from starskel.predicates import ROUNDING, Floats, Signs, orientation
-
-Indices = NDArray[np.intp]
+from starskel.predicates import ROUNDING, Floats, Indices, Signs, orientation
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,8 +7,8 @@ import numpy as np
 import shapely
 
 from starskel.errors import InvalidPolygon
-from starskel.points import Indices, Points
-from starskel.predicates import Floats
+from starskel.points import Points
+from starskel.predicates import Floats, Indices
 
 Triangle = tuple[int, int, int]
 

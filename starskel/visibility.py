@@ -14,16 +14,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from starskel.cells import Cells, cells_of, doubtful_area
-from starskel.points import Indices, Points
-from starskel.predicates import ROUNDING, Floats
+from starskel.points import Points
+from starskel.predicates import ROUNDING, Complex, Floats, Indices, Relation
 from starskel.task import UNWATCHED, Task
 from starskel.triangulation import Triangulation
-
-Relation = NDArray[np.bool_]
-Complex = NDArray[np.complex128]
 
 BLOCK = 1 << 17
 """Pairs of a viewer and a vertex that are worked on at a time: what fits a processor's cache."""

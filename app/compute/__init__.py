@@ -2,15 +2,17 @@
 
 from app.compute.blends import UNHURRIED, Blends
 from app.compute.computer import Computer
-from app.compute.request import Failure, MethodState, Request, Result, Subject
+from app.compute.request import STEERED, Failure, MethodState, Motion, Request, Result, Subject
 from app.compute.trace import Trace, trace_of
 
 __all__ = [
+    "STEERED",
     "UNHURRIED",
     "Blends",
     "Computer",
     "Failure",
     "MethodState",
+    "Motion",
     "Request",
     "Result",
     "Subject",

@@ -56,7 +56,7 @@ class Blends(QObject):
 
         `live` says that a gesture is under way and more of the kind will follow.
         """
-        same = subject == self._subject
+        former, same = self._subject, subject == self._subject
         if live and same:
             return
         self._subject = subject
@@ -64,7 +64,7 @@ class Blends(QObject):
             self._computer.cancel()
             self.results = {method: MethodState() for method in methods}
         else:
-            self.results = {method: self._state(method, subject, same) for method in methods}
+            self.results = {method: self._state(method, subject, former) for method in methods}
             if wanted := self._wanted(live):
                 self._computer.request(Request(subject, wanted, live))
             elif not same:
@@ -95,11 +95,11 @@ class Blends(QObject):
         """End the worker; to be called before the program ends."""
         self._computer.close()
 
-    def _state(self, method: str, subject: Subject, same: bool) -> MethodState:
+    def _state(self, method: str, subject: Subject, former: Subject | None) -> MethodState:
         known = self.results.get(method, MethodState())
-        if same and not known.stale:
+        if not known.stale and former is not None and former.of(method) == subject.of(method):
             return known
-        remembered = self._memory.get((method, subject))
+        remembered = self._memory.get((method, subject.of(method)))
         return known.outdated() if remembered is None else known.after(remembered)
 
     def _wanted(self, live: bool) -> tuple[str, ...]:
@@ -122,6 +122,6 @@ class Blends(QObject):
             self._remember(self._subject, outcome)
 
     def _remember(self, subject: Subject, result: Result) -> None:
-        self._memory[result.method, subject] = result
+        self._memory[result.method, subject.of(result.method)] = result
         while len(self._memory) > REMEMBERED:
             del self._memory[next(iter(self._memory))]

@@ -8,7 +8,8 @@ from functools import partial
 import numpy as np
 
 from app.compute.request import Failure, Request, Result
-from starskel import Blend, Correspondence, Decomposition, blend, match, measure
+from app.model.document import Point
+from starskel import Blend, Correspondence, Decomposition, blend, decompose, match, measure
 from starskel.errors import Cancelled, StarskelError
 from starskel.task import ShouldStop
 
@@ -86,19 +87,31 @@ class Job:
 
     def _blend(self, method: str, step: int) -> Blend:
         self._report(method, step, 0.0)
-        if self._pair is None:
-            subject = self._request.subject
-            self._pair = match(subject.source, subject.target, subject.marks, should_stop=self._is_old)
+        motion = self._request.subject.of(method).motion
         made = blend(
-            self._pair,
+            self._matched(),
             method=method,
             decomposition=self._decomposition,
+            root=None if motion.root is None else self._piece_at(motion.root),
+            turns=motion.turns,
             settled=False,
             progress=partial(self._report, method, step),
             should_stop=self._is_old,
         )
         self._decomposition = made.decomposition or self._decomposition
         return made
+
+    def _matched(self) -> Correspondence:
+        if self._pair is None:
+            subject = self._request.subject
+            self._pair = match(subject.source, subject.target, subject.marks, should_stop=self._is_old)
+        return self._pair
+
+    def _piece_at(self, place: Point) -> int:
+        if self._decomposition is None:
+            self._decomposition = decompose(self._matched(), should_stop=self._is_old)
+        ways = self._decomposition.source_origins - place
+        return int(np.hypot(*ways.T).argmin())
 
     def _report(self, method: str, step: int, fraction: float) -> None:
         """Report whole percents of the request; the library may call far more often.

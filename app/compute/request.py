@@ -4,10 +4,30 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from app.model.document import Point
 from app.model.marks import Marks
 from starskel import Blend, Report
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
+
+STEERED = "star-skeleton"
+"""The method that the root and whole turns make a difference to."""
+
+
+@dataclass(frozen=True)
+class Motion:
+    """How the star-skeleton is to move.
+
+    Attributes
+    ----------
+    root : (float, float) or None
+        The star origin of the source nearest to this place is the root; None leaves the choice to the method.
+    turns : int
+        Whole turns besides, counter-clockwise.
+    """
+
+    root: Point | None = None
+    turns: int = 0
 
 
 @dataclass(frozen=True)
@@ -20,11 +40,18 @@ class Subject:
         The shapes.
     marks : tuple of (int, int)
         What corresponds.
+    motion : Motion
+        What the user has chosen about the star-skeleton.
     """
 
     source: Polygon
     target: Polygon
     marks: Marks = ()
+    motion: Motion = Motion()
+
+    def of(self, method: str) -> "Subject":
+        """Leave out what makes no difference to a method."""
+        return self if method == STEERED else replace(self, motion=Motion())
 
 
 @dataclass(frozen=True)

@@ -3,15 +3,12 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from starskel.blending.distortion import Shapes
 from starskel.blending.laplacian import Factored, factor
 from starskel.blending.mesh import Mesh, triangle_areas
-from starskel.polar import Complex, as_complex, as_points
-from starskel.predicates import Floats
-
-Indices = NDArray[np.intp]
+from starskel.polar import as_complex, as_points
+from starskel.predicates import Complex, Floats, Indices
 
 SHORTEST = 1e-3
 """Edges shorter than this part of the size count as so long."""

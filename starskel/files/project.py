@@ -29,6 +29,7 @@ class _Document(msgspec.Struct, frozen=True):
     target: list[Row] | None
     marks: list[Mark]
     methods: list[str]
+    description: str = ""
 
 
 @dataclass(frozen=True)
@@ -45,6 +46,8 @@ class Project:
         A vertex of the source, a vertex of the target; none while a shape is missing.
     methods : tuple of str
         The blending methods shown, in order.
+    description : str
+        A sentence about it; empty where nobody wrote one.
     """
 
     name: str
@@ -52,6 +55,7 @@ class Project:
     target: Polygon | None = None
     marks: tuple[Mark, ...] = ()
     methods: tuple[str, ...] = ()
+    description: str = ""
 
 
 def read_project(path: Path) -> Project:
@@ -74,7 +78,8 @@ def read_project(path: Path) -> Project:
         raise InvalidFile(
             f"{path} has marks, but not both shapes", "add the missing shape or remove the marks"
         )
-    return Project(document.name, source, target, marks, _methods(path, document.methods))
+    methods = _methods(path, document.methods)
+    return Project(document.name, source, target, marks, methods, document.description)
 
 
 def write_project(path: Path, project: Project) -> None:
@@ -88,7 +93,8 @@ def write_project(path: Path, project: Project) -> None:
     source = rows_of(project.source) if project.source is not None else None
     target = rows_of(project.target) if project.target is not None else None
     marks, methods = list(project.marks), list(project.methods)
-    write_document(path, _Document(FORMAT, VERSION, project.name, source, target, marks, methods))
+    document = _Document(FORMAT, VERSION, project.name, source, target, marks, methods, project.description)
+    write_document(path, document)
 
 
 def _methods(path: Path, names: Sequence[str]) -> tuple[str, ...]:
