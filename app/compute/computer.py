@@ -9,18 +9,23 @@ would ever be finished; so the newest of them waits until the one being worked o
 """
 
 from dataclasses import replace
+from importlib import import_module
 from time import monotonic
+from typing import Any
 
 from PySide6.QtCore import QObject, QThread, Signal, Slot
 
-from app.compute.job import Job
 from app.compute.request import Failure, Proposal, Request, Result
 from app.model.marks import Marks
-from starskel import suggest_marks
 from starskel.errors import Cancelled
 
 PATIENCE = 0.05
 """Seconds after which a request of a gesture gives way to a newer one, as soon as a method is done."""
+
+
+def worker_module() -> Any:
+    """Give the module that computes; it is loaded in the worker's thread, so that the window opens sooner."""
+    return import_module("app.compute.job")
 
 
 class Worker(QObject):
@@ -48,7 +53,7 @@ class Worker(QObject):
         def report(method: str, fraction: float) -> None:
             self.progressed.emit(request.generation, method, fraction)
 
-        job = Job(request, is_old, report)
+        job = worker_module().Job(request, is_old, report)
         left = list(request.methods)
         try:
             while left and not (self.hurried and monotonic() - begun > PATIENCE):
@@ -65,7 +70,9 @@ class Worker(QObject):
             return self.newest != proposal.generation
 
         try:
-            marks = suggest_marks(proposal.source, proposal.target, proposal.count, should_stop=is_old)
+            marks = worker_module().suggest_marks(
+                proposal.source, proposal.target, proposal.count, should_stop=is_old
+            )
         except Cancelled:
             return
         self.suggested.emit(proposal.generation, tuple(marks))
