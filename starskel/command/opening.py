@@ -71,4 +71,5 @@ def _project_pair(path: Path) -> ShapePair:
     if document.source is None or document.target is None:
         missing = "target" if document.target is None else "source"
         raise InvalidFile(f"{path} has no {missing} yet", "draw both shapes in the editor and save")
-    return ShapePair(document.name or path.stem, document.source, document.target, document.marks)
+    name = document.name or path.stem
+    return ShapePair(name, document.source, document.target, document.marks, description=document.description)

@@ -9,7 +9,7 @@ import pytest
 
 from starskel.blending import COMPARED
 from starskel.cli import main
-from starskel.files.examples import resource_folder
+from starskel.files.examples import example, resource_folder
 from tests.starskel.test_cli_verbs import LETTERS, texts
 
 HAND = str(resource_folder() / "examples" / "hand.json")
@@ -76,6 +76,15 @@ def test_every_pair_has_a_place_an_anchor_and_a_sheet_beside_the_page(gallery):
     assert page.having("img", "src") == [f"{place}.svg" for place in places]
     assert {path.name for path in gallery.iterdir()} == {"index.html", *page.having("img", "src")}
     assert all(page.having("img", "alt"))
+
+
+def test_texts_tell_what_the_pair_is(gallery):
+    first, letter = [text for text in Page(gallery / "index.html").inside("p") if "vertices" in text][:2]
+    assert first.endswith("63 and 78 vertices, 7 marks.")
+    assert letter.startswith("DejaVu")
+    main(["gallery", "-o", "out", str(resource_folder() / "examples" / "figure-11-coil.json"), *QUICK])
+    (text,) = [text for text in Page(Path("out", "index.html")).inside("p") if "vertices" in text]
+    assert text.startswith(example("figure-11-coil").description.rstrip("."))
 
 
 def test_the_sheets_show_the_methods_as_strips(gallery):
