@@ -11,21 +11,26 @@ would ever be finished; so the newest of them waits until the one being worked o
 from dataclasses import replace
 from importlib import import_module
 from time import monotonic
-from typing import Any
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QThread, Signal, Slot
 
+import starskel
 from app.compute.request import Failure, Proposal, Request, Result
 from app.model.marks import Marks
 from starskel.errors import Cancelled
+
+if TYPE_CHECKING:
+    from app.compute.job import Job
 
 PATIENCE = 0.05
 """Seconds after which a request of a gesture gives way to a newer one, as soon as a method is done."""
 
 
-def worker_module() -> Any:
-    """Give the module that computes; it is loaded in the worker's thread, so that the window opens sooner."""
-    return import_module("app.compute.job")
+def _job_class() -> "type[Job]":
+    """Give the class that computes; it is loaded in the worker's thread, so that the window opens sooner."""
+    chosen: type[Job] = import_module("app.compute.job").Job
+    return chosen
 
 
 class Worker(QObject):
@@ -53,7 +58,7 @@ class Worker(QObject):
         def report(method: str, fraction: float) -> None:
             self.progressed.emit(request.generation, method, fraction)
 
-        job = worker_module().Job(request, is_old, report)
+        job = _job_class()(request, is_old, report)
         left = list(request.methods)
         try:
             while left and not (self.hurried and monotonic() - begun > PATIENCE):
@@ -70,7 +75,7 @@ class Worker(QObject):
             return self.newest != proposal.generation
 
         try:
-            marks = worker_module().suggest_marks(
+            marks = starskel.suggest_marks(
                 proposal.source, proposal.target, proposal.count, should_stop=is_old
             )
         except Cancelled:

@@ -152,7 +152,7 @@ def _started(code: str) -> float:
 
 
 def _report(title: str, took: list[tuple[float, float]], target: float) -> None:
-    """Print wall time, and the processor's time: on a machine that others use, too, it is the steadier one."""
+    """Print wall time, and the processor's time, which is steadier where others use the machine, too."""
     wall, own = np.array(took).T * 1e3
     row = (len(took), *(float(f) for f in (np.median(wall), np.percentile(wall, 95), np.percentile(own, 95))))
     heads = ("times", "median ms", "p95 ms", "own p95 ms", "p95 of target", "own of target")
