@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from app.view import drawing_commands
+from app.view import drawing_commands, sequence_commands
 from app.view.command import Command
 
 COMMANDS = (
@@ -76,6 +76,7 @@ COMMANDS = (
     *drawing_commands.SNAPPING,
     *drawing_commands.CLIPBOARD,
     *drawing_commands.SHAPE,
+    *sequence_commands.SEQUENCE,
     Command(
         "mark",
         QT_TRANSLATE_NOOP("Command", "&Mark"),
@@ -231,6 +232,13 @@ MENUS = (
         ("undo", "redo", "", *_names(drawing_commands.CLIPBOARD), "", "select-all", "delete", "", "cancel"),
     ),
     (QT_TRANSLATE_NOOP("Command", "&Shape"), _names(drawing_commands.SHAPE)),
+    (
+        QT_TRANSLATE_NOOP("Command", "Se&quence"),
+        (
+            *("shape-add", "shape-duplicate", "shape-delete", "", "shape-earlier", "shape-later"),
+            *("", "step-before", "step-after", "alone"),
+        ),
+    ),
     (
         QT_TRANSLATE_NOOP("Command", "&Tools"),
         (*PALETTE, "", "suggest", "marks", "", *_names(drawing_commands.SNAPPING)),
