@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from app.compute import Blends, MethodState, Result, Subject, Trace, trace_of
+from app.compute import UNHURRIED, Blends, MethodState, Result, Subject, Trace, trace_of
 from app.model.document import Document, lost_marks
 from app.model.history import History
 from app.model.marks import SIDES, Marks, Side
@@ -43,8 +43,8 @@ TOOLS: dict[str, type[Tool]] = {
 
 Pointed = tuple[Side, int]
 
-USUAL_METHODS = COMPARED
-"""What is compared until the user chooses: every method."""
+USUAL_METHODS = tuple(method for method in COMPARED if method not in UNHURRIED)
+"""What is compared until the user chooses: every method that is quick."""
 
 
 class Session(QObject):

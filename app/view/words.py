@@ -18,6 +18,7 @@ _METHODS = (
     QT_TRANSLATE_NOOP("Method", "star-skeleton"),
     QT_TRANSLATE_NOOP("Method", "stitched"),
     QT_TRANSLATE_NOOP("Method", "rigid"),
+    QT_TRANSLATE_NOOP("Method", "certified"),
 )
 
 

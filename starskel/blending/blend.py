@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterable
 from typing import overload
 
 from starskel.blending import METHODS
+from starskel.blending.certified import CertifiedBlend
 from starskel.blending.edge_angle import EdgeAngleBlend
 from starskel.blending.frames import Blend
 from starskel.blending.rigid import RigidBlend
@@ -102,6 +103,9 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
             _decomposition(pair, decomposition, task), root, task.part(_DECOMPOSING, 1)
         ),
         "rigid": lambda: RigidBlend(
+            _decomposition(pair, decomposition, task), root, task.part(_DECOMPOSING, 1)
+        ),
+        "certified": lambda: CertifiedBlend(
             _decomposition(pair, decomposition, task), root, task.part(_DECOMPOSING, 1)
         ),
     }

@@ -6,9 +6,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QLabel
 
 from app.playback import Repeat
+from app.session import USUAL_METHODS
 from app.view.panels import columns_for
-from starskel import METHODS
-from starskel.blending import COMPARED
 from starskel.files.examples import example
 from tests.app.driver import LEFT, PLAIN, Driver
 
@@ -29,11 +28,11 @@ def verdict(driver: Driver, method: str) -> str:
 def test_drawing_two_shapes_is_enough_for_all_blends(driver: Driver) -> None:
     driver.draw_both()
     driver.wait_for_blends()
-    assert [result.method for result in driver.session.fresh_results] == list(COMPARED)
+    assert [result.method for result in driver.session.fresh_results] == list(USUAL_METHODS)
 
 
 def test_each_method_gets_a_verdict(arm: Driver) -> None:
-    for method in METHODS:
+    for method in USUAL_METHODS:
         assert "area" in verdict(arm, method)
     assert verdict(arm, "stitched").startswith("✓ simple")
     assert verdict(arm, "vertex").startswith("✕ crosses at t = .")
@@ -154,10 +153,10 @@ def test_methods_are_chosen_from_the_menu_and_the_choice_is_undone(arm: Driver) 
     vertex = next(action for action in menu.actions() if action.data() == "vertex")
     vertex.trigger()
     assert "vertex" not in arm.document.methods
-    assert len(arm.session.fresh_results) == len(METHODS) - 1
+    assert len(arm.session.fresh_results) == len(USUAL_METHODS) - 1
     arm.session.undo()
     arm.wait_for_blends()
-    assert len(arm.session.fresh_results) == len(METHODS)
+    assert len(arm.session.fresh_results) == len(USUAL_METHODS)
 
 
 def test_an_edit_leaves_the_last_blend_on_screen_marked_out_of_date(arm: Driver) -> None:
@@ -236,7 +235,7 @@ def test_the_grid_follows_the_window(arm: Driver) -> None:
     for size in ((1300, 800), (800, 1000)):
         arm.window.resize(*size)
         arm.window.panels.resize(size[0], size[1] // 2)
-        panels = [arm.window.panels.panel(method) for method in COMPARED]
+        panels = [arm.window.panels.panel(method) for method in USUAL_METHODS]
         shown.add(len({panel.x() for panel in panels}))
         assert all(panel.isVisible() for panel in panels)
     assert len(shown) == 2
@@ -255,8 +254,8 @@ def test_the_skeleton_of_a_single_piece_is_its_origin(driver: Driver) -> None:
 def test_a_cancelled_computation_says_how_to_go_on(arm: Driver) -> None:
     arm.session.show_project(example("ribbon"))
     arm.key(Qt.Key.Key_Escape)
-    messages = [arm.window.panels.panel(method).view.message for method in METHODS]
+    messages = [arm.window.panels.panel(method).view.message for method in USUAL_METHODS]
     assert all("F5" in message for message in messages)
     arm.key(Qt.Key.Key_F5)
     arm.wait_for_blends()
-    assert all(arm.window.panels.panel(method).view.message == "" for method in METHODS)
+    assert all(arm.window.panels.panel(method).view.message == "" for method in USUAL_METHODS)

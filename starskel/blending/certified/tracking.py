@@ -1,0 +1,139 @@
+"""Following the frames that are wanted as far as that is possible without touching.
+
+From one end of a stretch of time, a frame is pulled towards the wanted frame of one moment after the other,
+and pushed apart where it comes near to itself: a few Gauss-Newton steps for each moment. Every step that is
+taken is a safe link.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse.linalg import splu
+
+from starskel.blending.certified.barrier import Barrier
+from starskel.blending.certified.keys import Linked, farthest
+from starskel.blending.certified.metric import Metric
+from starskel.certificate import Indices
+from starskel.polar import Complex, as_complex, as_points
+from starskel.predicates import Floats
+from starskel.task import Task
+
+PUSH = 1e-3
+"""The weight of the energy that keeps pairs apart beside the strain."""
+
+STEPS = 4
+"""The most steps for one moment."""
+
+HALVINGS = 5
+"""How often a step is halved before it counts as stuck."""
+
+SETTLED = 1e-4
+"""A step shorter than this part of the size, at every vertex, ends a moment."""
+
+
+@dataclass(frozen=True, eq=False)
+class Track:
+    """Where following led.
+
+    Attributes
+    ----------
+    frames : list of (n, 2) arrays
+        From the start on, each linked safely to the next.
+    arrivals : (k,) array of int
+        For each moment the last of these frames.
+    """
+
+    frames: list[Floats]
+    arrivals: Indices
+
+    @property
+    def places(self) -> list[Floats]:
+        """The frame of each moment."""
+        return [self.frames[at] for at in self.arrivals]
+
+    @property
+    def ways(self) -> Floats:
+        """How far it is to the frame of each moment, each step the root mean square over the vertices."""
+        steps = np.diff(np.stack(self.frames), axis=0)
+        return np.concatenate([[0.0], np.cumsum(np.sqrt((steps**2).mean(axis=(1, 2))))])[self.arrivals]
+
+    def until(self, moment: int) -> list[Floats]:
+        """Give the frames up to that of a moment."""
+        return self.frames[: self.arrivals[moment] + 1]
+
+    def moments(self, moment: int) -> Indices:
+        """Give for each of these the moment that it was made for."""
+        return np.searchsorted(self.arrivals, np.arange(self.arrivals[moment] + 1))
+
+
+@dataclass(frozen=True, eq=False)
+class Pull:
+    """What moves frames.
+
+    Attributes
+    ----------
+    metric : Metric
+    met : tuple of (n,) complex arrays
+        Frames where nothing pushes.
+    linked : Linked
+        What is asked of every step.
+    """
+
+    metric: Metric
+    met: tuple[Complex, ...]
+    linked: Linked
+
+    def track(self, wanted: Floats, task: Task) -> Track:
+        """Follow (k, n, 2) frames from the first on."""
+        frames, arrivals = [wanted[0]], [0]
+        for at, goal in enumerate(wanted[1:]):
+            frames += self._towards(frames[-1], goal, task.part(at / len(wanted), 1))
+            arrivals.append(len(frames) - 1)
+        return Track(frames, np.array(arrivals))
+
+    def meeting(self, frames: tuple[Complex, ...]) -> "Pull":
+        """Give the same where nothing pushes in these frames, either."""
+        return replace(self, met=(*self.met, *frames))
+
+    def _towards(self, now: Floats, goal: Floats, task: Task) -> Iterator[Floats]:
+        barrier = Barrier.near(as_complex(now), self.met, self.metric.size)
+        for _ in range(STEPS):
+            task.reach(0)
+            step = self._step(as_complex(now), as_complex(goal), barrier)
+            after = self._taken(now, goal, step, barrier)
+            if after is None:
+                return
+            moved = farthest(after - now)
+            now = after
+            yield now
+            if moved < SETTLED * self.metric.size:
+                return
+
+    def _step(self, now: Complex, goal: Complex, barrier: Barrier) -> Complex:
+        """Give the Gauss-Newton step of the outline; the inner points of the mesh follow."""
+        n, unknowns = len(now), self.metric.matrix.shape[0]
+        logarithms, jacobian = barrier.linear(now, unknowns)
+        away = np.zeros(unknowns)
+        away[: 2 * n] = (now - goal).view(np.float64)
+        # inner points are where the strain is least for the outline, before and after, so they are solved for
+        matrix = self.metric.matrix + sparse.csc_array(PUSH * (jacobian.T @ jacobian))
+        pushing = PUSH * (jacobian.T @ (jacobian @ away - logarithms))
+        places = splu(matrix, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True}).solve(pushing)
+        return np.asarray((places - away)[: 2 * n]).view(np.complex128)
+
+    def _taken(self, now: Floats, goal: Floats, step: Complex, barrier: Barrier) -> Floats | None:
+        """Give the frame after as much of a step as lessens the energy and is safe; None if hardly any is."""
+        row = as_complex(now)
+        energy = self._energy(row, goal, barrier)
+        for _ in range(HALVINGS):
+            there = row + step
+            if self._energy(there, goal, barrier) < energy and self.linked(now, as_points(there)):
+                return as_points(there)
+            step = step / 2
+        return None
+
+    def _energy(self, row: Complex, goal: Floats, barrier: Barrier) -> float:
+        away = row - as_complex(goal)
+        return self.metric.strain(away) + PUSH * barrier.energy(row)
