@@ -3,12 +3,14 @@
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
 from app.compute import UNHURRIED, Blends, MethodState, Result, Subject, Trace, trace_of
 from app.model.document import Document, lost_marks
+from app.model.filing import document_of, project_of
 from app.model.history import History
 from app.model.marks import SIDES, Marks, Side
 from app.model.selection import Selection, everything
@@ -17,11 +19,11 @@ from app.tools.draw import DrawTool
 from app.tools.figure import EllipseTool, RectangleTool, RegularPolygonTool, StarTool
 from app.tools.freehand import FreehandTool
 from app.tools.mark import MarkTool
+from app.tools.picture import PictureTool
 from app.tools.select import SelectTool
 from app.tools.settings import Settings
 from app.tools.text import TextTool
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
-from starskel import METHODS
 from starskel.blending import COMPARED
 from starskel.errors import InvalidMarks
 from starskel.files.project import Project, read_project, write_project
@@ -37,6 +39,7 @@ TOOLS: dict[str, type[Tool]] = {
         RegularPolygonTool,
         StarTool,
         TextTool,
+        PictureTool,
         MarkTool,
     )
 }
@@ -107,7 +110,7 @@ class Session(QObject):
     @property
     def unsaved(self) -> bool:
         """Whether the document differs from its file."""
-        return self.document != self._saved
+        return self.document.showing(0) != self._saved.showing(0)
 
     @property
     def busy(self) -> bool:
@@ -116,12 +119,17 @@ class Session(QObject):
 
     @property
     def results(self) -> dict[str, MethodState]:
-        """For each method of the document what there is to show."""
+        """For each method of the document what there is to show of the step on the canvases."""
         return self._blends.results
+
+    def results_of(self, step: int) -> dict[str, MethodState]:
+        """Give for each method of the document what there is to show of any step."""
+        steps = self._blends.steps
+        return steps[step] if step < len(steps) else {}
 
     @property
     def fresh_results(self) -> tuple[Result, ...]:
-        """The blends of the document as it is now, in the order in which they are shown."""
+        """The blends of the step on the canvases as it is now, in the order in which they are shown."""
         return self._blends.fresh
 
     @property
@@ -293,7 +301,7 @@ class Session(QObject):
         InvalidMarks
             If its marks cross.
         """
-        self._start(_document_of(project), path)
+        self._start(document_of(project, USUAL_METHODS), path)
 
     def save(self, path: Path) -> None:
         """Write the project file, whole or not at all.
@@ -303,10 +311,8 @@ class Session(QObject):
         InvalidFile
             If it cannot be written.
         """
-        document = self.document
-        name = document.name or path.stem
-        write_project(path, Project(name, document.source, document.target, document.marks, document.methods))
-        self.path, self._saved = path, document
+        write_project(path, project_of(self.document, path.stem))
+        self.path, self._saved = path, self.document
         self.document_changed.emit()
 
     # how answers and documents come in
@@ -388,16 +394,13 @@ class Session(QObject):
         self._blend(self.document)
 
     def _blend(self, document: Document, *, live: bool = False) -> None:
-        subject = None
-        if document.source is not None and document.target is not None:
-            subject = Subject(document.source, document.target, document.marks)
-        self._blends.show(subject, document.methods, live=live)
+        self._blends.show(_subjects(document), document.step, document.methods, live=live)
 
 
-def _document_of(project: Project) -> Document:
-    """Give a project as a document; unknown methods in it are left out, none at all means the usual ones."""
-    known = tuple(method for method in project.methods if method in METHODS) or USUAL_METHODS
-    document = (
-        Document(project.name, methods=known).draw("source", project.source).draw("target", project.target)
+def _subjects(document: Document) -> tuple[Subject | None, ...]:
+    sequence = document.sequence
+    steps = zip(pairwise(sequence.shapes), sequence.marks, strict=True)
+    return tuple(
+        None if source is None or target is None else Subject(source, target, marks)
+        for (source, target), marks in steps
     )
-    return replace(document, marks=project.marks)

@@ -109,6 +109,11 @@ class MethodState:
     error: Exception | None = None
     stale: bool = True
 
+    @property
+    def wanted(self) -> bool:
+        """Whether it is worth computing: what failed would fail again."""
+        return self.stale and self.error is None
+
     def outdated(self) -> "MethodState":
         """Mark it stale; the last good blend stays."""
         return replace(self, error=None, stale=True)

@@ -28,7 +28,8 @@ class PictureTool(Tool):
 
     name: ClassVar[str] = "picture"
     hint: ClassVar[str] = QT_TRANSLATE_NOOP(
-        "Hint", "Drop a picture on a canvas to draw over it. Drag it or its corners until it fits, then lock it."
+        "Hint",
+        "Drop a picture on a canvas to draw over it. Drag it or its corners to fit it, then lock it.",
     )
 
     def press(self, scene: Scene, pointer: Pointer) -> Response:
@@ -98,7 +99,7 @@ class HoldingPicture(Tool):
         return replace(self.picture, middle=(x + at[0] - start[0], y + at[1] - start[1]))
 
     def _scaled(self, pointer: Pointer) -> Picture:
-        """Scale by how far the pointer is from the opposite corner, compared with the corner that it holds."""
+        """Scale by how far the pointer is from the opposite corner."""
         box, (x, y) = box_of_picture(self.picture), CORNERS[self.handle]
         fixed, corner = box.at(1 - x, 1 - y), box.at(x, y)
         factor = max(distance(fixed, pointer.at), 10 * pointer.pixel) / distance(fixed, corner)
@@ -150,7 +151,12 @@ def _free(document: Document, side: Side) -> Picture | None:
     return picture if picture is not None and not picture.locked else None
 
 
+def corner_places(box: Box) -> dict[str, Point]:
+    """Give where the handles of a picture are."""
+    return {name: box.at(x, y) for name, (x, y) in CORNERS.items()}
+
+
 def _corner_at(box: Box, pointer: Pointer) -> str:
-    places = {name: box.at(x, y) for name, (x, y) in CORNERS.items()}
+    places = corner_places(box)
     near = [name for name, place in places.items() if distance(place, pointer.at) <= pointer.radius]
     return min(near, key=lambda name: distance(places[name], pointer.at), default="")

@@ -2,8 +2,10 @@
 
 from dataclasses import replace
 
-from PySide6.QtCore import QPointF, Qt, Slot
+from PySide6.QtCore import QPointF, Qt, Signal, Slot
 from PySide6.QtGui import (
+    QDragEnterEvent,
+    QDropEvent,
     QFocusEvent,
     QKeyEvent,
     QMouseEvent,
@@ -44,6 +46,9 @@ KEYS = {
 class Canvas(QWidget):
     """Shows one side of the session's document and feeds the tool with what the user does here."""
 
+    dropped = Signal(str, object)
+    """The side, and the QMimeData that was dropped on it."""
+
     def __init__(self, session: Session, side: Side, display: Display) -> None:
         super().__init__()
         self.side = side
@@ -56,6 +61,7 @@ class Canvas(QWidget):
         self.setObjectName(f"{side}-canvas")
         self.setAccessibleName(words.side(side))
         self.setMouseTracking(True)
+        self.setAcceptDrops(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAutoFillBackground(False)
         self.setMinimumSize(160, 120)
@@ -111,6 +117,16 @@ class Canvas(QWidget):
         self._fits = False
         self.camera = camera
         self.update()
+
+    # pictures dropped here
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if event.mimeData().hasImage() or event.mimeData().hasUrls():
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        event.acceptProposedAction()
+        self.dropped.emit(self.side, event.mimeData())
 
     # pointer and keys
 

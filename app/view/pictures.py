@@ -32,13 +32,18 @@ def picture_of(content: bytes, camera: Camera) -> Picture:
     buffer.open(QIODevice.OpenModeFlag.ReadOnly)
     reader = QImageReader(buffer)
     reader.setAutoTransform(True)
-    kept = bytes(reader.format().data()) in KEPT and reader.transformation() == reader.transformation().TransformationNone
+    kept = (
+        bytes(reader.format().data()) in KEPT
+        and reader.transformation() == reader.transformation().TransformationNone
+    )
     image = reader.read()
     if image.isNull():
         raise InvalidFile("this is no picture, or of a kind that is not known here", "save it as PNG or JPEG")
     if max(image.width(), image.height()) > LARGEST:
         image = image.scaled(
-            QSize(LARGEST, LARGEST), Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation
+            QSize(LARGEST, LARGEST),
+            Qt.AspectRatioMode.KeepAspectRatio,
+            Qt.TransformationMode.SmoothTransformation,
         )
         kept = False
     return _placed(content if kept else _file_of(image), image, camera)
