@@ -3,12 +3,11 @@
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from itertools import pairwise
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from app.compute import UNHURRIED, Blends, MethodState, Result, Subject, Trace, trace_of
+from app.compute import UNHURRIED, Blends, MethodState, Motion, Result, Trace, subjects_of, trace_of
 from app.model.document import Document, lost_marks
 from app.model.filing import document_of, project_of
 from app.model.history import History
@@ -20,12 +19,12 @@ from app.tools.figure import EllipseTool, RectangleTool, RegularPolygonTool, Sta
 from app.tools.freehand import FreehandTool
 from app.tools.mark import MarkTool
 from app.tools.picture import PictureTool
+from app.tools.marking import replace_marks
 from app.tools.select import SelectTool
 from app.tools.settings import Settings
 from app.tools.text import TextTool
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
 from starskel.blending import COMPARED
-from starskel.errors import InvalidMarks
 from starskel.files.project import Project, read_project, write_project
 
 TOOLS: dict[str, type[Tool]] = {
@@ -101,6 +100,7 @@ class Session(QObject):
         self.lost = 0
         self.path: Path | None = None
         self.pointed: Pointed | None = None
+        self._motions: dict[int, Motion] = {}
 
     @property
     def document(self) -> Document:
@@ -131,6 +131,11 @@ class Session(QObject):
     def fresh_results(self) -> tuple[Result, ...]:
         """The blends of the step on the canvases as it is now, in the order in which they are shown."""
         return self._blends.fresh
+
+    @property
+    def motion(self) -> Motion:
+        """What the user has chosen about the star-skeleton of the step on the canvases."""
+        return self._motions.get(self.document.step, Motion())
 
     @property
     def undoes(self) -> str | None:
@@ -246,21 +251,6 @@ class Session(QObject):
             self.pointed = pointed
             self.pointed_changed.emit()
 
-    def mark(self, source: int, target: int) -> bool:
-        """Add a mark; False where that is refused."""
-        return self._remark(
-            QT_TRANSLATE_NOOP("Step", "Set mark"), partial(self.document.mark, source, target)
-        )
-
-    def repin(self, index: int, side: Side, vertex: int) -> bool:
-        """Move one end of a mark; False where that is refused."""
-        moved = partial(self.document.repin, index, side, vertex)
-        return self._remark(QT_TRANSLATE_NOOP("Step", "Move mark"), moved)
-
-    def unmark(self, index: int) -> None:
-        """Remove a mark."""
-        self._remark(QT_TRANSLATE_NOOP("Step", "Remove mark"), partial(self.document.unmark, index))
-
     def suggest_marks(self, count: int) -> None:
         """Replace all marks by so many that suggest themselves, as soon as they are found."""
         if self.finish():
@@ -269,6 +259,11 @@ class Session(QObject):
     def compare(self, methods: tuple[str, ...]) -> None:
         """Choose the methods shown side by side."""
         self._commit(Commit(self.document.compare(methods), QT_TRANSLATE_NOOP("Step", "Choose methods")))
+
+    def steer(self, motion: Motion) -> None:
+        """Choose the star-skeleton's root and whole turns."""
+        self._motions[self.document.step] = motion
+        self._blend(self.document)
 
     def recompute(self) -> None:
         """Compute all blends anew."""
@@ -317,21 +312,9 @@ class Session(QObject):
 
     # how answers and documents come in
 
-    def _remark(self, name: str, verb: Callable[[], Document]) -> bool:
-        if not self.finish():
-            return False
-        try:
-            commit = Commit(verb(), name)
-        except InvalidMarks as error:
-            self._answer(Response(self.tool, refusal=Refusal("source", error, marks=error.marks)))
-            return False
-        self._answer(Response(self.tool, commit))
-        return True
-
     @Slot(object)
     def _take_marks(self, marks: Marks) -> None:
-        name = QT_TRANSLATE_NOOP("Step", "Suggest marks")
-        self._commit(Commit(self.document.remark(marks), name))
+        self.edit(partial(replace_marks, marks=marks))
 
     def _scene(self) -> Scene:
         return Scene(self.document, self.selection, self.settings)
@@ -356,7 +339,7 @@ class Session(QObject):
             self.changed.emit()
 
     def _point_by_tool(self) -> None:
-        for side in SIDES:
+        for side in () if self.tool.busy else SIDES:
             if (vertex := self.overlay(side).vertex) is not None:
                 return self.point(side, vertex)
         return self.point("source", None)
@@ -383,6 +366,7 @@ class Session(QObject):
         self._saved, self.path = document, path
         self.selection, self.refusal, self.lost = Selection(), None, 0
         self.tool = SelectTool() if document.source or document.target else DrawTool()
+        self._motions = {}
         self._blends.forget()
         self.tool_changed.emit()
         self.opened.emit()
@@ -394,13 +378,6 @@ class Session(QObject):
         self._blend(self.document)
 
     def _blend(self, document: Document, *, live: bool = False) -> None:
-        self._blends.show(_subjects(document), document.step, document.methods, live=live)
-
-
-def _subjects(document: Document) -> tuple[Subject | None, ...]:
-    sequence = document.sequence
-    steps = zip(pairwise(sequence.shapes), sequence.marks, strict=True)
-    return tuple(
-        None if source is None or target is None else Subject(source, target, marks)
-        for (source, target), marks in steps
-    )
+        self._blends.show(
+            subjects_of(document.sequence, self._motions), document.step, document.methods, live=live
+        )

@@ -16,10 +16,8 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from starskel.polar import Complex, as_complex
-from starskel.predicates import UNIT, Floats
-
-Indices = NDArray[np.intp]
+from starskel.polar import as_complex
+from starskel.predicates import UNIT, Complex, Floats, Indices
 
 HALVINGS = 8
 """How often a curve is halved before rational arithmetic decides."""

@@ -14,9 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from starskel.predicates import ROUNDING, Floats, Signs, orientation
-
-Indices = NDArray[np.intp]
+from starskel.predicates import ROUNDING, Floats, Indices, Signs, orientation
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,6 +61,18 @@ class Points:
             np.concatenate([self.start, start]),
             np.concatenate([self.end, end]),
             np.concatenate([self.share, share]),
+            dict(self.places),
+        )
+
+    def again(self, rows: Indices) -> "Points":
+        """Give these points followed by some of them once more."""
+        free = self.start[rows] == self.end[rows]
+        new = len(self.start) + np.arange(len(rows))
+        return Points(
+            np.concatenate([self.coordinates, self.coordinates[rows]]),
+            np.concatenate([self.start, np.where(free, new, self.start[rows])]),
+            np.concatenate([self.end, np.where(free, new, self.end[rows])]),
+            np.concatenate([self.share, self.share[rows]]),
             dict(self.places),
         )
 

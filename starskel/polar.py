@@ -1,13 +1,10 @@
 """Vectors that turn: their polar coordinates in the source and in the target, interpolated linearly."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from starskel.predicates import Floats
-
-Complex = NDArray[np.complex128]
+from starskel.predicates import Complex, Floats
 
 
 def as_complex(points: Floats) -> Complex:
@@ -63,6 +60,10 @@ class PolarVectors:
         weights = start / start.sum() + end / end.sum()
         turns = np.round((weights @ turned) / weights.sum() / (2 * np.pi))
         return cls(start, end, angles, turned - 2 * np.pi * turns)
+
+    def turned(self, turns: int) -> "PolarVectors":
+        """Let all vectors make so many whole turns more, counter-clockwise."""
+        return replace(self, rotations=self.rotations + 2 * np.pi * turns)
 
     def directions(self, ts: Floats) -> Complex:
         """Give the unit vectors at each t, (k, m)."""

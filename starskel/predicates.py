@@ -13,6 +13,9 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 Signs = NDArray[np.int8]
+Indices = NDArray[np.intp]
+Complex = NDArray[np.complex128]
+Relation = NDArray[np.bool_]
 
 UNIT = 2.0**-53
 """The largest relative error of one rounded operation."""

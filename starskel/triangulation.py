@@ -7,8 +7,8 @@ import numpy as np
 import shapely
 
 from starskel.errors import InvalidPolygon
-from starskel.points import Indices, Points
-from starskel.predicates import Floats
+from starskel.points import Points
+from starskel.predicates import Floats, Indices
 
 Triangle = tuple[int, int, int]
 
@@ -57,7 +57,7 @@ def triangulate(points: Points, ring: Indices) -> Triangulation:
     triangles = _delaunay(points, ring[corners])
     if triangles is None:
         triangles = _cut_ears(points, ring[corners])
-    triangles = np.array(_split_runs(corners[triangles], _runs(corners, len(ring))))
+    triangles = np.array(_split_runs(corners[triangles].tolist(), _runs(corners, len(ring))))
     return Triangulation(points, ring, triangles, _twins(triangles))
 
 
@@ -65,13 +65,11 @@ def _delaunay(points: Points, corners: Indices) -> Indices | None:
     """Let GEOS triangulate; believe it only if every triangle and every edge proves right."""
     ring = points.coordinates[corners]
     try:
-        parts = shapely.get_parts(shapely.constrained_delaunay_triangles(shapely.Polygon(ring)))
+        parts = shapely.constrained_delaunay_triangles(shapely.Polygon(ring))
     except shapely.GEOSException:  # lost its way among vertices that are all but collinear
         return None
     found = shapely.get_coordinates(parts).reshape(-1, 4, 2)[:, :3]
-    row = {(x, y): i for i, (x, y) in enumerate(ring.tolist())}
-    named = [row.get((x, y), -1) for x, y in found.reshape(-1, 2).tolist()]
-    triangles = np.array(named, dtype=np.intp).reshape(-1, 3)
+    triangles = _rows_of(found.reshape(-1, 2), ring).reshape(-1, 3)
     if len(triangles) != len(corners) - 2 or triangles.min() < 0:
         return None
     turns = points.orientation(*corners[triangles].T)
@@ -79,11 +77,20 @@ def _delaunay(points: Points, corners: Indices) -> Indices | None:
     return triangles if (turns != 0).all() and _tiles(triangles, len(corners)) else None
 
 
+def _rows_of(places: Floats, ring: Floats) -> Indices:
+    """Give for each place the row of the ring that is there, or -1."""
+    at, vertices = (np.ascontiguousarray(a).view(np.complex128)[:, 0] for a in (places, ring))
+    order = np.argsort(vertices)
+    rows = order[np.searchsorted(vertices[order], at).clip(max=len(ring) - 1)]
+    return np.where(vertices[rows] == at, rows, -1)
+
+
 def _tiles(triangles: Indices, n: int) -> bool:
     """Tell whether counter-clockwise triangles fit together along their edges and end at the ring."""
-    edges = {(a, b) for t in triangles.tolist() for a, b in zip(t, (*t[1:], t[0]), strict=True)}
-    outer = {(a, b) for a, b in edges if (b, a) not in edges}
-    return len(edges) == 3 * len(triangles) and outer == {(i, (i + 1) % n) for i in range(n)}
+    starts, ends = _half_edges(triangles)
+    outer = _twins(triangles) < 0
+    once = len(np.unique(starts * n + ends)) == len(starts)
+    return once and np.count_nonzero(outer) == n and bool((ends[outer] == (starts[outer] + 1) % n).all())
 
 
 def _cut_ears(points: Points, corners: Indices) -> Indices:
@@ -131,10 +138,11 @@ def _runs(corners: Indices, n: int) -> dict[tuple[int, int], list[int]]:
     return {(a, b % n): [v % n for v in range(a + 1, b)] for a, b in between if b - a > 1}
 
 
-def _split_runs(triangles: Indices, runs: dict[tuple[int, int], list[int]]) -> list[Triangle]:
+def _split_runs(waiting: list[Triangle], runs: dict[tuple[int, int], list[int]]) -> list[Triangle]:
     """Split triangles at straight vertices into fans from the opposite corner."""
+    if not runs:
+        return waiting[::-1]
     done: list[Triangle] = []
-    waiting: list[Triangle] = [(a, b, c) for a, b, c in triangles.tolist()]
     while waiting:
         a, b, c = waiting.pop()
         for p, q, apex in ((a, b, c), (b, c, a), (c, a, b)):
@@ -147,8 +155,13 @@ def _split_runs(triangles: Indices, runs: dict[tuple[int, int], list[int]]) -> l
 
 
 def _twins(triangles: Indices) -> Indices:
-    starts = triangles.ravel()
-    ends = np.roll(triangles, -1, axis=1).ravel()
-    half_edge = {edge: h for h, edge in enumerate(zip(starts.tolist(), ends.tolist(), strict=True))}
-    twins = [half_edge.get(edge, -1) for edge in zip(ends.tolist(), starts.tolist(), strict=True)]
-    return np.array(twins, dtype=np.intp)
+    """Give for each half-edge the one that runs the other way, or -1."""
+    starts, ends = _half_edges(triangles)
+    n = len(starts)  # more than any index
+    order = np.argsort(starts * n + ends)
+    found = order[np.searchsorted((starts * n + ends)[order], ends * n + starts).clip(max=n - 1)]
+    return np.where((starts[found] == ends) & (ends[found] == starts), found, -1)
+
+
+def _half_edges(triangles: Indices) -> tuple[Indices, Indices]:
+    return triangles.ravel(), np.roll(triangles, -1, axis=1).ravel()

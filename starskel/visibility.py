@@ -1,9 +1,9 @@
-"""Who sees whom: all pairs at once, by expansion through the triangles of a triangulation.
+"""Who sees whom: all pairs at once, by views that expand through the convex cells of a triangulation.
 
-A window is an edge of a triangle through which a viewer looks, together with the two vertices that limit the
-view to the right and to the left. Every window looks into the triangle behind it, may see its apex, and goes
-on through one or both of its far edges. All windows of all viewers advance together, so that the work, which
-grows with the number of visible pairs, is done in few array operations.
+A view looks into a cell through one of its sides, between two vertices that limit it to the right and to the
+left. It sees the corners between its limits, and goes on through the sides between them. The views of many
+viewers advance together, so that the work, which grows with the corners of the cells that are looked into, is
+done in few array operations.
 
 Two relations are kept apart: `sees`, where the closed segment lies in the closed polygon, and `diagonal`,
 where the open segment lies in the open interior. They differ where views graze vertices or run along straight
@@ -11,17 +11,18 @@ edges. Coordinates are rounded, so a segment that passes a vertex by less than `
 """
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
-from starskel.points import Indices, Points
-from starskel.predicates import ROUNDING, Floats, Signs
+from starskel.cells import Cells, cells_of, doubtful_area
+from starskel.points import Points
+from starskel.predicates import ROUNDING, Complex, Floats, Indices, Relation
 from starskel.task import UNWATCHED, Task
 from starskel.triangulation import Triangulation
 
-Relation = NDArray[np.bool_]
-Complex = NDArray[np.complex128]
+BLOCK = 1 << 17
+"""Pairs of a viewer and a vertex that are worked on at a time: what fits a processor's cache."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,19 +42,21 @@ class Visibility:
 
 
 def visibility(ground: Triangulation, task: Task = UNWATCHED) -> Visibility:
-    """Tell for all pairs of a ring's vertices whether they see each other, in O(visible pairs) entries.
+    """Tell for all pairs of a ring's vertices whether they see each other.
 
     Raises
     ------
     Cancelled
         If the task is told to stop.
+    ValueError
+        If the triangles have corners inside the ring.
     """
     n = len(ground.ring)
-    scene = _Scene.of(ground, ground.points, ground.ring)
-    edges = np.arange(3 * len(ground.triangles))
-    opposite = edges - edges % 3 + (edges + 1) % 3
+    cells = cells_of(ground)
+    scene = _Scene.of(ground, cells, ground.points, ground.ring)
+    walks = _Walks(cells.corner[cells.first], cells.first + 1, cells.size[cells.first] - 1)
     seen = Visibility(np.eye(n, dtype=bool), np.zeros((n, n), dtype=bool))
-    _look(scene, _Windows.at(ground, ground.triangles.ravel(), opposite), seen, task)
+    _look(scene, walks, seen, task)
     ring = np.arange(n)
     for step in (1, -1):  # edges of the ring are no diagonals
         seen.diagonal[ring, (ring + step) % n] = False
@@ -71,130 +74,218 @@ def visibility_from(
     ------
     Cancelled
         If the task is told to stop.
+    ValueError
+        If the triangles have corners inside the ring.
     """
     n, k = len(ground.ring), len(places)
     rows = len(ground.points.coordinates) + np.arange(k)
     points = ground.points.with_free(places)
     corners = ground.ring[ground.triangles[triangles]]
     turns = points.orientation(rows[:, None], corners, np.roll(corners, -1, axis=1))
-    viewers = np.repeat(np.flatnonzero((turns > 0).all(axis=1)), 3)
-    windows = _Windows.at(ground, viewers, 3 * triangles[viewers] + np.arange(len(viewers)) % 3)
+    viewer = np.flatnonzero((turns > 0).all(axis=1))
+    cells = cells_of(ground)
+    start = cells.of_triangle[triangles[viewer]]
     seen = Visibility(np.zeros((k, n), dtype=bool), np.zeros((k, n), dtype=bool))
-    _look(_Scene.of(ground, points, rows), windows, seen, task)
+    _look(_Scene.of(ground, cells, points, rows), _Walks(viewer, start, cells.size[start]), seen, task)
     return seen
 
 
 @dataclass(frozen=True, eq=False)
-class _Windows:
-    """Views of viewers through half-edges, each between a right and a left limit (all arrays of int)."""
+class _Walks:
+    """Walks of viewers round their own cells: where they start and how many corners they pass.
+
+    A viewer on a corner passes all others; one inside a cell passes every corner.
+    """
 
     viewer: Indices
-    edge: Indices
+    start: Indices
+    count: Indices
+
+    def part(self, some: slice) -> "_Walks":
+        """Give some of the walks."""
+        return _Walks(self.viewer[some], self.start[some], self.count[some])
+
+
+@dataclass(frozen=True, eq=False)
+class _Views:
+    """Views of viewers into cells, each between a right and a left limit (all arrays of int).
+
+    A view enters its cell over the side that ends where the walk along all the other sides starts.
+    """
+
+    viewer: Indices
+    start: Indices
     right: Indices
     left: Indices
 
-    @classmethod
-    def at(cls, ground: Triangulation, viewer: Indices, edge: Indices) -> "_Windows":
-        """Give the windows that half-edges are to viewers in their triangle."""
-        starts, ends = ground.triangles.ravel(), np.roll(ground.triangles, -1, axis=1).ravel()
-        return cls(viewer, edge, starts[edge], ends[edge])
-
-    def keep(self, chosen: Relation) -> "_Windows":
-        """Give some of the windows."""
-        return _Windows(self.viewer[chosen], self.edge[chosen], self.right[chosen], self.left[chosen])
-
-    def join(self, other: "_Windows") -> "_Windows":
-        """Give these windows and others."""
-        return _Windows(
-            np.concatenate([self.viewer, other.viewer]),
-            np.concatenate([self.edge, other.edge]),
-            np.concatenate([self.right, other.right]),
-            np.concatenate([self.left, other.left]),
-        )
+    def part(self, some: slice | Indices) -> "_Views":
+        """Give some of the views."""
+        return _Views(self.viewer[some], self.start[some], self.right[some], self.left[some])
 
 
 @dataclass(frozen=True, eq=False)
 class _Scene:
-    """Where the viewers and the ring's vertices are; what lies behind each half-edge.
+    """Where the viewers and the ring's vertices are, and the cells between them.
 
     Attributes
     ----------
+    cells : Cells
     points : Points
     ring, rows : (n,) and (k,) arrays of int
         The rows of the vertices and of the viewers.
     vertices, viewers : (n,) and (k,) complex arrays
         Their coordinates.
-    apex : (h,) array of int
-        The corner of the triangle behind each half-edge that is not an end of it; -1 on the ring.
-    onward : (h,) arrays of int, two
-        The half-edges from that triangle on: to the right and to the left of its apex.
     slack : float
         What two coordinates may be off by rounding, together.
+    doubtful : float
+        Up to which doubled area of a triangle rounding might turn its sign.
     """
 
+    cells: Cells
     points: Points
     ring: Indices
     rows: Indices
     vertices: Complex
     viewers: Complex
-    apex: Indices
-    onward: tuple[Indices, Indices]
     slack: float
+    doubtful: float
 
     @classmethod
-    def of(cls, ground: Triangulation, points: Points, rows: Indices) -> "_Scene":
-        twins = ground.twins
-        following, last = (twins - twins % 3 + (twins + step) % 3 for step in (1, 2))
-        apex = np.where(twins < 0, -1, ground.triangles.ravel()[last])
+    def of(cls, ground: Triangulation, cells: Cells, points: Points, rows: Indices) -> "_Scene":
         places = points.coordinates.view(np.complex128)[:, 0]
         slack = 2 * ROUNDING * float(np.abs(ground.vertices).max())
-        vertices, viewers = places[ground.ring], places[rows]
-        return cls(points, ground.ring, rows, vertices, viewers, apex, (following, last), slack)
+        doubtful = doubtful_area(ground.vertices)
+        return cls(cells, points, ground.ring, rows, places[ground.ring], places[rows], slack, doubtful)
 
-    def turn(self, viewer: Indices, first: Indices, second: Indices) -> tuple[Signs, Relation]:
-        """Tell how viewers turn to look from one vertex to another: left (1), right (-1) or not (0).
+    def turns(
+        self, viewer: Indices, first: Indices, second: Indices, doubled: Floats
+    ) -> tuple[Floats, Relation]:
+        """Tell how viewers turn to look from one vertex to another: left (1), right (-1) or not (0), exactly.
 
-        Tell, too, whether the line to either vertex passes the other by more than rounding.
+        Tell, too, whether the line to either vertex passes the other by no more than rounding. Doubled are
+        the areas of the triangles that the three form, rounded.
         """
         at = self.viewers[viewer]
-        a, b = self.vertices[first] - at, self.vertices[second] - at
-        doubled = a.real * b.imag - a.imag * b.real
-        reach = self.slack * (np.abs(a) + np.abs(b))
-        signs = np.sign(doubled).astype(np.int8)
+        reach = self.slack * (np.abs(self.vertices[first] - at) + np.abs(self.vertices[second] - at))
+        signs = np.sign(doubled)
         close = np.flatnonzero(np.abs(doubled) <= 4 * reach)
         if len(close):
-            turned = self.points.orientation(
-                self.rows[viewer[close]], self.ring[first[close]], self.ring[second[close]]
-            )
-            signs[close] = turned
-        return signs, np.abs(doubled) > reach
+            rows = self.rows[viewer[close]], self.ring[first[close]], self.ring[second[close]]
+            signs[close] = self.points.orientation(*rows)
+        return signs, np.abs(doubled) <= reach
 
 
-def _look(scene: _Scene, windows: _Windows, seen: Visibility, task: Task) -> None:
-    """Note what viewers see of their own triangles, then advance windows until all have met the ring."""
-    _, clear = scene.turn(windows.viewer, windows.right, windows.left)
-    for end in (windows.right, windows.left):
-        seen.sees[windows.viewer, end] = True
-        seen.diagonal[windows.viewer, end] = True
-    for end in (windows.right, windows.left):
-        seen.diagonal[windows.viewer[~clear], end[~clear]] = False
-    while len(windows.viewer):
+def _look(scene: _Scene, walks: _Walks, seen: Visibility, task: Task) -> None:
+    """Note what viewers see on walks round their own cells, and in the cells behind these."""
+    around = []
+    for part in _parts(walks.count):
         task.reach(0)
-        windows = _advance(scene, windows.keep(scene.apex[windows.edge] >= 0), seen)
+        around.append(_look_around(scene, walks.part(part), seen))
+    for views in around:  # once all are noted: two cells of a viewer share the ends of a side
+        _forget_hidden(scene, views, seen)
+    waiting = [views.part(np.flatnonzero(views.start >= 0)) for views in around]
+    while waiting:
+        views = waiting.pop()
+        for part in _parts(scene.cells.size[views.start]):
+            task.reach(0)
+            waiting.append(_advance(scene, views.part(part), seen))
 
 
-def _advance(scene: _Scene, windows: _Windows, seen: Visibility) -> _Windows:
-    """Note which apexes are seen behind windows, and give the windows onward."""
-    viewer, apex = windows.viewer, scene.apex[windows.edge]
-    from_right, clear_right = scene.turn(viewer, windows.right, apex)
-    from_left, clear_left = scene.turn(viewer, apex, windows.left)
-    right_of_left, left_of_right = from_left >= 0, from_right >= 0
-    within = right_of_left & left_of_right
-    seen.sees[viewer[within], apex[within]] = True
-    strictly = within & clear_right & clear_left
-    seen.diagonal[viewer[strictly], apex[strictly]] = True
-    onward = [edges[windows.edge] for edges in scene.onward]
-    left = np.where(right_of_left, apex, windows.left)
-    right = np.where(left_of_right, apex, windows.right)
-    rightward = _Windows(viewer, onward[0], windows.right, left).keep(left_of_right)
-    return rightward.join(_Windows(viewer, onward[1], right, windows.left).keep(right_of_left))
+def _parts(counts: Indices) -> list[slice]:
+    """Cut walks into handfuls of not many more than `BLOCK` steps."""
+    if not len(counts):
+        return []
+    blocks = np.cumsum(counts) // BLOCK
+    ends = [0, *(np.flatnonzero(np.diff(blocks)) + 1).tolist(), len(counts)]
+    return [slice(a, b) for a, b in pairwise(ends)]
+
+
+def _walk(start: Indices, count: Indices) -> tuple[Indices, Indices]:
+    """Give for each step of walks upwards the walk and the place."""
+    walk = np.repeat(np.arange(len(start)), count)
+    begun = np.cumsum(count) - count
+    return walk, np.arange(len(walk)) + (start - begun)[walk]
+
+
+def _look_around(scene: _Scene, walks: _Walks, seen: Visibility) -> _Views:
+    """Note the corners on the walks, and give the views through all sides but those that end at a viewer."""
+    cells, count = scene.cells, walks.count
+    walk, place = _walk(walks.start, count)
+    viewer = walks.viewer[walk]
+    seen.sees[viewer, cells.corner[place]] = True
+    seen.diagonal[viewer, cells.corner[place]] = True
+    away = np.ones(len(place), dtype=bool)
+    away[np.cumsum(count)[count < cells.size[walks.start]] - 1] = False
+    viewer, place = viewer[away], place[away]
+    return _Views(viewer, cells.behind[place], cells.corner[place], cells.corner[place + 1])
+
+
+def _forget_hidden(scene: _Scene, views: _Views, seen: Visibility) -> None:
+    """Let no diagonal pass the nearer end of a side that is seen edge-on."""
+    at = scene.viewers[views.viewer]
+    right, left = scene.vertices[views.right] - at, scene.vertices[views.left] - at
+    along = np.abs((right.conj() * left).imag) <= scene.slack * (np.abs(right) + np.abs(left))
+    farther = np.where(np.abs(right) > np.abs(left), views.right, views.left)[along]
+    seen.diagonal[views.viewer[along], farther] = False
+
+
+def _advance(scene: _Scene, views: _Views, seen: Visibility) -> _Views:
+    """Note which corners are seen in the cells that views enter, and give the views onward."""
+    cells = scene.cells
+    count = cells.size[views.start] - 1
+    walk, place = _walk(views.start, count)
+    corner = cells.corner.take(place)
+    ends = np.cumsum(count)
+    left_of_right, right_of_left, grazing = _between(scene, views, walk, corner, ends - count)
+    seen_here = np.flatnonzero(left_of_right & right_of_left)
+    keys = views.viewer.take(walk.take(seen_here)) * len(scene.ring) + corner.take(seen_here)
+    seen.sees.ravel()[keys] = True
+    seen.diagonal.ravel()[keys] = True
+    seen.diagonal[views.viewer[walk[grazing]], corner[grazing]] = False
+    end_left_of_right = _of_next(left_of_right, ends, True)
+    end_right_of_left = _of_next(right_of_left, ends, False)
+    onward = np.flatnonzero(right_of_left & end_left_of_right)
+    onward = onward[cells.behind.take(place.take(onward)) >= 0]
+    walk, place = walk[onward], place[onward]
+    return _Views(
+        views.viewer[walk],
+        cells.behind[place],
+        np.where(left_of_right[onward], corner[onward], views.right[walk]),
+        np.where(end_right_of_left[onward], cells.corner[place + 1], views.left[walk]),
+    )
+
+
+def _of_next(flags: Relation, ends: Indices, last: bool) -> Relation:
+    """Give each step of the walks the flag of the next one, and the last ones the same."""
+    following = np.empty_like(flags)
+    following[:-1] = flags[1:]
+    following[ends - 1] = last
+    return following
+
+
+def _between(
+    scene: _Scene, views: _Views, walk: Indices, corner: Indices, begun: Indices
+) -> tuple[Relation, Relation, Indices]:
+    """Tell which corners lie at or left of right limits, at or right of left ones, and which graze either.
+
+    Where walks have begun stand the right ends of the sides that are looked through.
+    """
+    at = scene.viewers[views.viewer]
+    towards = scene.vertices.take(corner)
+    towards -= at.take(walk)
+    flags, grazing = [], []
+    for limit, side in ((views.right, 1.0), (views.left, -1.0)):
+        turned = (side * (scene.vertices[limit] - at).conj()).take(walk)
+        turned *= towards
+        inwards = turned.imag
+        inwards[begun] = -side * np.inf
+        inside = inwards > scene.doubtful
+        if np.count_nonzero(inside) + np.count_nonzero(inwards < -scene.doubtful) < len(walk):
+            doubt = np.flatnonzero(np.abs(inwards) <= scene.doubtful)
+            view = walk[doubt]
+            doubled = side * inwards[doubt]
+            signs, grazes = scene.turns(views.viewer[view], limit[view], corner[doubt], doubled)
+            inside[doubt] = side * signs >= 0
+            grazing.append(doubt[grazes])
+        flags.append(inside)
+    return flags[0], flags[1], np.concatenate([*grazing, begun[:0]])

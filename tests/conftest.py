@@ -1,10 +1,14 @@
-"""Fixtures for all tests: the pairs of tests/shapes."""
+"""For all tests: the pairs of tests/shapes as fixtures; no deadline for the examples of hypothesis."""
 
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 from starskel.files.pairs import PairsFile, ShapePair, read_pairs
+
+settings.register_profile("patient", deadline=None)  # a busy machine is no fault
+settings.load_profile("patient")
 
 FILES: dict[str, PairsFile] = {
     pair_id: file

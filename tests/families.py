@@ -3,9 +3,8 @@
 import numpy as np
 
 from starskel.errors import InvalidPolygon
-from starskel.points import Indices
 from starskel.polygon import Polygon, crossing_edges
-from starskel.predicates import Floats
+from starskel.predicates import Floats, Indices
 
 ATTEMPTS = 20
 """Sets of points tried before a grid is given up as too full."""

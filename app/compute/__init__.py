@@ -2,18 +2,21 @@
 
 from app.compute.blends import UNHURRIED, Blends
 from app.compute.computer import Computer
-from app.compute.request import Failure, MethodState, Request, Result, Subject
+from app.compute.request import STEERED, Failure, MethodState, Motion, Request, Result, Subject, subjects_of
 from app.compute.trace import Trace, trace_of
 
 __all__ = [
+    "STEERED",
     "UNHURRIED",
     "Blends",
     "Computer",
     "Failure",
     "MethodState",
+    "Motion",
     "Request",
     "Result",
     "Subject",
     "Trace",
+    "subjects_of",
     "trace_of",
 ]

@@ -110,19 +110,22 @@ class Blends(QObject):
         self._computer.close()
 
     def _states(self, step: int, subjects: tuple[Subject | None, ...], methods: tuple[str, ...]) -> States:
-        """Give what to show of a step; while steps are as many as before, the old is better than nothing."""
         subject = subjects[step]
         if subject is None:
             return {method: MethodState() for method in methods}
-        known: States = {}
-        if subject in self._subjects:
-            known = self.steps[self._subjects.index(subject)]
-        elif len(subjects) == len(self._subjects):
-            known = {method: state.outdated() for method, state in self.steps[step].items()}
-        return {method: self._state(known.get(method, MethodState()), method, subject) for method in methods}
+        return {method: self._state(step, subject, method, len(subjects)) for method in methods}
 
-    def _state(self, known: MethodState, method: str, subject: Subject) -> MethodState:
-        remembered = self._memory.get((method, subject))
+    def _state(self, step: int, subject: Subject, method: str, count: int) -> MethodState:
+        """Give what holds; else, while steps are as many as before, the old, which is better than nothing."""
+        own = subject.of(method)
+        known = self.steps[step].get(method, MethodState()) if count == len(self.steps) else MethodState()
+        for former, states in zip(self._subjects, self.steps, strict=True):
+            if former is not None and former.of(method) == own and method in states:
+                known = states[method]
+                break
+        else:
+            known = known.outdated()
+        remembered = self._memory.get((method, own))
         return known.after(remembered) if known.stale and remembered is not None else known
 
     def _wanted(self, live: bool) -> tuple[Request, ...]:
@@ -132,8 +135,7 @@ class Blends(QObject):
         for step in order[:1] if live else order:
             subject, states = self._subjects[step], self.steps[step]
             # the simplest method first, so that there is something to see at once
-            stale = (method for method in METHODS if method in states and states[method].wanted)
-            methods = tuple(method for method in stale if not (live and method in UNHURRIED))
+            methods = tuple(m for m in METHODS if m in states and _is_wanted(m, states[m], live))
             if subject is not None and methods:
                 found.setdefault(subject, Request(subject, methods, live))
         return tuple(found.values())
@@ -142,16 +144,26 @@ class Blends(QObject):
     def _take(self, subject: Subject, outcome: Result | Failure) -> None:
         behind = self._computer.behind
         # a gesture has gone on where it is behind: what comes late is still nearer to it than what is shown
-        places = [self._first] if behind else [k for k, own in enumerate(self._subjects) if own == subject]
+        places = [self._first] if behind else self._places(subject.of(outcome.method), outcome.method)
         for states in (self.steps[place] for place in places):
             if outcome.method in states:
                 states[outcome.method] = states[outcome.method].after(outcome, stale=behind)
         self.changed.emit()
         if isinstance(outcome, Result) and not behind:
-            self._remember(subject, outcome)
+            self._remember(subject.of(outcome.method), outcome)
+
+    def _places(self, subject: Subject, method: str) -> list[int]:
+        return [k for k, own in enumerate(self._subjects) if own is not None and own.of(method) == subject]
 
     def _remember(self, subject: Subject, result: Result) -> None:
         self._memory[result.method, subject] = result
-        spare = [key for key in self._memory if key[1] not in self._subjects]
+        spare = [key for key in self._memory if not self._places(key[1], key[0])]
         for key in spare[: max(len(spare) - REMEMBERED, 0)]:
             del self._memory[key]
+
+
+def _is_wanted(method: str, state: MethodState, live: bool) -> bool:
+    """Tell whether to compute: what failed would fail again; what a gesture left unsettled is taken up."""
+    if state.error is not None:
+        return False
+    return (state.stale and method not in UNHURRIED) if live else (state.stale or not state.settled)

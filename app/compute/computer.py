@@ -53,6 +53,8 @@ class Worker(QObject):
         try:
             while left and not (self.hurried and monotonic() - begun > PATIENCE):
                 self.delivered.emit(request.generation, job.outcome(left.pop(0)))
+            for outcome in () if request.live else job.improvements():
+                self.delivered.emit(request.generation, outcome)
         except Cancelled:
             return
         self.finished.emit(request.generation, tuple(left))

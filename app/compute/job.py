@@ -1,13 +1,15 @@
 """A request being worked off: what its methods share is computed once."""
 
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
 
 from app.compute.request import Failure, Request, Result
-from starskel import Blend, Correspondence, Decomposition, blend, match, measure
+from app.model.document import Point
+from starskel import Blend, Correspondence, Decomposition, blend, decompose, match, measure
 from starskel.errors import Cancelled, StarskelError
 from starskel.task import ShouldStop
 
@@ -33,10 +35,11 @@ class Job:
         self._say = report
         self._pair: Correspondence | None = None
         self._decomposition: Decomposition | None = None
+        self._unsettled: list[Result] = []
         self._percent = -1
 
     def outcome(self, method: str) -> Result | Failure:
-        """Blend by one method, and measure.
+        """Blend by one method as soon as can be, and measure.
 
         Raises
         ------
@@ -44,38 +47,87 @@ class Job:
             If a newer request has come.
         """
         try:
-            self._report(method, 0.0)
-            made = self._blend(method)
-            self._report(method, 1.0)
-            report = measure(made, should_stop=self._is_old)
-            return Result(method, made, report, made.frames(SAMPLES))
+            made = self._blend(method, self._request.methods.index(method))
+            result = self._measured(method, made)
         except Cancelled:
             raise
         except Exception as error:  # whatever it is, the window shows it; the thread lives on
-            if not isinstance(error, StarskelError):
-                traceback.print_exception(error)
-            return Failure(method, error)
+            return _failure(method, error)
+        if not result.settled:
+            self._unsettled.append(result)
+        return result
 
-    def _blend(self, method: str) -> Blend:
-        if self._pair is None:
-            subject = self._request.subject
-            self._pair = match(subject.source, subject.target, subject.marks, should_stop=self._is_old)
+    def improvements(self) -> Iterator[Result | Failure]:
+        """Give ever better blends by the methods that did not settle at once; of each the last is settled.
+
+        Raises
+        ------
+        Cancelled
+            If a newer request has come.
+        """
+        for step, result in enumerate(self._unsettled):
+            yield from self._improved(result, len(self._request.methods) + step)
+
+    def _improved(self, result: Result, step: int) -> Iterator[Result | Failure]:
+        progress = partial(self._report, result.method, step)
+        try:
+            for made in result.blend.improvements(progress=progress, should_stop=self._is_old):
+                result = self._measured(result.method, made)
+                yield result
+        except Cancelled:
+            raise
+        except Exception as error:  # as above
+            yield _failure(result.method, error)
+        else:
+            yield replace(result, settled=True)
+
+    def _measured(self, method: str, made: Blend) -> Result:
+        report = measure(made, should_stop=self._is_old)
+        return Result(method, made, report, made.frames(SAMPLES), made.settled)
+
+    def _blend(self, method: str, step: int) -> Blend:
+        self._report(method, step, 0.0)
+        motion = self._request.subject.of(method).motion
         made = blend(
-            self._pair,
+            self._matched(),
             method=method,
             decomposition=self._decomposition,
-            progress=partial(self._report, method),
+            root=None if motion.root is None else self._piece_at(motion.root),
+            turns=motion.turns,
+            settled=False,
+            progress=partial(self._report, method, step),
             should_stop=self._is_old,
         )
         self._decomposition = made.decomposition or self._decomposition
         return made
 
-    def _report(self, method: str, fraction: float) -> None:
-        """Report whole percents of the request; the library may call far more often."""
+    def _matched(self) -> Correspondence:
+        if self._pair is None:
+            subject = self._request.subject
+            self._pair = match(subject.source, subject.target, subject.marks, should_stop=self._is_old)
+        return self._pair
+
+    def _piece_at(self, place: Point) -> int:
+        if self._decomposition is None:
+            self._decomposition = decompose(self._matched(), should_stop=self._is_old)
+        ways = self._decomposition.source_origins - place
+        return int(np.hypot(*ways.T).argmin())
+
+    def _report(self, method: str, step: int, fraction: float) -> None:
+        """Report whole percents of the request; the library may call far more often.
+
+        Each method is a step, and after a gesture so is the improving of each that did not settle at once.
+        """
         if self._is_old():
             raise Cancelled
-        methods = self._request.methods
-        percent = int(100 * (methods.index(method) + fraction) / len(methods))
-        if percent != self._percent:
+        steps = len(self._request.methods) + max(1, len(self._unsettled)) * (not self._request.live)
+        percent = int(100 * (step + fraction) / steps)
+        if percent > self._percent:
             self._percent = percent
             self._say(method, percent / 100)
+
+
+def _failure(method: str, error: Exception) -> Failure:
+    if not isinstance(error, StarskelError):
+        traceback.print_exception(error)
+    return Failure(method, error)

@@ -1,13 +1,36 @@
 """What is asked of the worker, and what comes back."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
+from app.model.document import Point
 from app.model.marks import Marks
+from app.model.sequence import Sequence
 from starskel import Blend, Report
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
+
+STEERED = "star-skeleton"
+"""The method that the root and whole turns make a difference to."""
+
+
+@dataclass(frozen=True)
+class Motion:
+    """How the star-skeleton is to move.
+
+    Attributes
+    ----------
+    root : (float, float) or None
+        The star origin of the source nearest to this place is the root; None leaves the choice to the method.
+    turns : int
+        Whole turns besides, counter-clockwise.
+    """
+
+    root: Point | None = None
+    turns: int = 0
 
 
 @dataclass(frozen=True)
@@ -20,11 +43,28 @@ class Subject:
         The shapes.
     marks : tuple of (int, int)
         What corresponds.
+    motion : Motion
+        What the user has chosen about the star-skeleton.
     """
 
     source: Polygon
     target: Polygon
     marks: Marks = ()
+    motion: Motion = Motion()
+
+    def of(self, method: str) -> "Subject":
+        """Leave out what makes no difference to a method."""
+        return self if method == STEERED else replace(self, motion=Motion())
+
+
+def subjects_of(sequence: Sequence, motions: Mapping[int, Motion]) -> tuple[Subject | None, ...]:
+    """Give what is to be blended in each step, None where a shape is missing."""
+    return tuple(
+        None if source is None or target is None else Subject(source, target, marks, motions.get(k, Motion()))
+        for k, ((source, target), marks) in enumerate(
+            zip(pairwise(sequence.shapes), sequence.marks, strict=True)
+        )
+    )
 
 
 @dataclass(frozen=True)
@@ -70,12 +110,15 @@ class Result:
     report : Report
     samples : (k, n, 2) array
         Frames evenly spread over [0, 1].
+    settled : bool
+        Whether no better one will follow.
     """
 
     method: str
     blend: Blend
     report: Report
     samples: Floats
+    settled: bool = True
 
     @property
     def box(self) -> Floats:
@@ -110,9 +153,9 @@ class MethodState:
     stale: bool = True
 
     @property
-    def wanted(self) -> bool:
-        """Whether it is worth computing: what failed would fail again."""
-        return self.stale and self.error is None
+    def settled(self) -> bool:
+        """Whether no better result is to be expected."""
+        return self.result is None or self.result.settled
 
     def outdated(self) -> "MethodState":
         """Mark it stale; the last good blend stays."""

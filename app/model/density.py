@@ -5,11 +5,8 @@ from heapq import heapify, heapreplace
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
-from starskel.predicates import Floats
-
-Indices = NDArray[np.intp]
+from starskel.predicates import Floats, Indices
 
 
 def kept_vertices(ring: Floats, tolerance: float, pinned: Collection[int] = ()) -> Indices:

@@ -268,14 +268,12 @@ class Document:
         return self._reshape(side, ring, place)
 
     def marked(self, side: Side) -> tuple[int, ...]:
-        """Give the vertices on this side that are marked, in this step or in the one beside it."""
-        beside = self.before[-1:] if side == "source" else ((self.after[0],) if self.after else ())
-        marks = [pins.end(mark, side) for mark in self.marks]
-        marks += [pins.end(mark, other(side)) for each in beside for mark in each.marks]
-        return tuple(dict.fromkeys(marks))
+        """Give the vertices on this side that are marked, in this step or in the other one of the shape."""
+        number = self.shape_on(side)
+        return tuple(vertex for vertex, _ in self.sequence.marks_between(number, number))
 
     def exchanged(self) -> "Document":
-        """Exchange source and target; the marks between them go along."""
+        """Exchange source and target."""
         return self.arranged(self.sequence.moved(self.step, self.step + 1), self.step)
 
     def mark(self, source: int, target: int) -> "Document":
@@ -347,8 +345,10 @@ class Document:
 
 
 def lost_marks(before: Document, after: Document) -> int:
-    """Count the marks that an edit of the shapes on the canvases took along."""
-    if (before.source, before.target) == (after.source, after.target) or before.step != after.step:
+    """Count the marks that an edit of shapes took along; where only their order changed, the vertices."""
+    former, later = before.sequence, after.sequence
+    if former.shapes == later.shapes:
         return 0
-    counts = [sum(map(len, document.sequence.marks)) for document in (before, after)]
-    return max(counts[0] - counts[1], 0)
+    if set(later.shapes) - {None} <= set(former.shapes):
+        return sum(end[0] in later.shapes and end not in later.marked for end in former.marked)
+    return max(sum(map(len, former.marks)) - sum(map(len, later.marks)), 0)

@@ -23,4 +23,5 @@ def project_of(document: Document, name: str) -> Project:
     """Give a document as a project, under this name where it has none of its own."""
     sequence = document.sequence
     steps = map(Step, sequence.marks, sequence.durations)
-    return Project(document.name or name, sequence.shapes, tuple(steps), document.methods, sequence.pictures)
+    name = document.name or name
+    return Project(name, sequence.shapes, tuple(steps), document.methods, pictures=sequence.pictures)

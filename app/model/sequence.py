@@ -53,6 +53,12 @@ class Sequence:
         return len(self.shapes) - 1
 
     @property
+    def marked(self) -> frozenset[tuple[Polygon | None, int]]:
+        """The shapes that are marked, each with a vertex that is."""
+        numbers = range(len(self.shapes))
+        return frozenset((self.shapes[k], v) for k in numbers for v, _ in self.marks_between(k, k))
+
+    @property
     def times(self) -> tuple[float, ...]:
         """When each shape is reached, from 0 to 1."""
         ends = tuple(accumulate(self.durations, initial=0.0))

@@ -11,6 +11,7 @@ from app.view import words
 from app.view.drawing import pen
 from app.view.pins import cross_at
 from app.view.theme import Theme
+from starskel.predicates import Floats
 
 translate = QCoreApplication.translate
 
@@ -20,6 +21,9 @@ NOTICE_FLAGS = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignLeft | Qt.Alignm
 
 NOTICE = 340.0
 """Width of a notice, in pixels."""
+
+VEIL = 1000.0
+"""So many pixels farther away is as bad as hiding the whole shape."""
 
 CLEARANCE = 24.0
 """Pixels between a notice and what it is about."""
@@ -63,10 +67,12 @@ def paint_invitation(painter: QPainter, theme: Theme, frame: QRectF, side: Side,
     painter.drawText(below, flags, how)
 
 
-def paint_notice(painter: QPainter, theme: Theme, frame: QRectF, text: str, concerned: list[QPointF]) -> None:
+def paint_notice(  # noqa: PLR0913, PLR0917 -- what it says, and what it must not hide
+    painter: QPainter, theme: Theme, frame: QRectF, text: str, concerned: list[QPointF], ring: Floats
+) -> None:
     """Write why something was refused, beside what it is about."""
     size = _notice_size(painter, frame, text)
-    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET), concerned)
+    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET), concerned, ring)
     _paint_plate(painter, theme, box, theme.refused)
     cross_at(painter, QPointF(box.left() + 16, box.center().y()), QColor(theme.refused), 4.5)
     painter.setPen(QColor(theme.text))
@@ -76,7 +82,7 @@ def paint_notice(painter: QPainter, theme: Theme, frame: QRectF, text: str, conc
 def paint_news(painter: QPainter, theme: Theme, frame: QRectF, text: str) -> None:
     """Write what an edit brought with it, on the lower edge."""
     size = _notice_size(painter, frame, text)
-    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET), ())
+    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET))
     _paint_plate(painter, theme, box, theme.accent)
     painter.setPen(QColor(theme.text))
     painter.drawText(box.adjusted(32, 0, -10, 0), NOTICE_FLAGS, text)
@@ -98,8 +104,14 @@ def _paint_plate(painter: QPainter, theme: Theme, box: QRectF, edge: str) -> Non
     painter.drawRoundedRect(box, 5, 5)
 
 
-def notice_box(width: float, height: float, room: QRectF, concerned: Sequence[QPointF]) -> QRectF:
-    """Give the box in the room that is nearest to what it is about and hides none of it.
+def notice_box(
+    width: float,
+    height: float,
+    room: QRectF,
+    concerned: Sequence[QPointF] = (),
+    ring: Floats | None = None,
+) -> QRectF:
+    """Give the box in the room that is near to what it is about, hides none of it and little of the ring.
 
     Where there is no such box, or nothing to be near to, it lies on the lower edge.
     """
@@ -109,7 +121,19 @@ def notice_box(width: float, height: float, room: QRectF, concerned: Sequence[QP
     free = [box for box in boxes if not any(_near(box).contains(place) for place in concerned)]
     if not free or not concerned:
         return QRectF(room.left(), room.bottom() - height, width, height)
-    return min(free, key=lambda box: sum((box.center() - p).manhattanLength() for p in concerned))
+    return min(free, key=lambda box: _distance(box, concerned) + VEIL * _hidden(box, ring))
+
+
+def _distance(box: QRectF, places: Sequence[QPointF]) -> float:
+    return sum((box.center() - place).manhattanLength() for place in places)
+
+
+def _hidden(box: QRectF, ring: Floats | None) -> float:
+    """Give the part of a ring's vertices that a box hides."""
+    if ring is None or not len(ring):
+        return 0.0
+    low, high = (box.left(), box.top()), (box.right(), box.bottom())
+    return float(((ring >= low) & (ring <= high)).all(axis=1).mean())
 
 
 def _near(box: QRectF) -> QRectF:

@@ -18,9 +18,8 @@ from app.view.drawing import faded, lines_of, pen, point_of, polygon_of
 from app.view.frame_layers import paint_numbers, paint_way
 from app.view.pictures import image_of
 from app.view.pins import Pin, cross_at, outward, paint_pins
-from app.view.structure import paint_pieces, paint_skeleton
+from app.view.structure import paint_cut
 from app.view.theme import theme_of
-from starskel.blending.pieces import PieceBlend
 from starskel.predicates import Floats
 
 CROWDED = 7.0
@@ -124,18 +123,9 @@ class CanvasPainter:
 
     def _paint_structure(self) -> None:
         """Show how the shape is cut, where that is known of the shape as it is now."""
-        cut = next((r.blend for r in self._session.fresh_results if isinstance(r.blend, PieceBlend)), None)
-        if cut is None or self._overlay.ring is not None or self._overlay.path:
-            return
-        dec = cut.decomposition
-        rows, origins = (dec.source, dec.source_origins)
-        if self._side == "target":
-            rows, origins = (dec.target, dec.target_origins)
-        if self._layers.pieces:
-            paint_pieces(self._painter, self._theme, dec, self._camera.to_screen(rows))
-        if self._layers.skeleton:
-            places = self._camera.to_screen(cut.skeleton.points(rows, origins))
-            paint_skeleton(self._painter, self._theme, cut.skeleton, places)
+        if self._overlay.ring is None and not self._is_replaced():
+            results = self._session.fresh_results
+            paint_cut(self._painter, self._theme, self._camera, results, self._side, self._layers)
 
     def _paint_numbers(self) -> None:
         if self._layers.numbers:
@@ -232,7 +222,7 @@ class CanvasPainter:
             cross_at(self._painter, places[-1], red)
         places += [point_of(self._screen[vertex]) for vertex in vertices]
         reason = words.reason(refusal.error, self._session.document)
-        paint_notice(self._painter, self._theme, self._frame(), reason, places)
+        paint_notice(self._painter, self._theme, self._frame(), reason, places, self._screen)
 
     def _on_screen(self, point: Point) -> QPointF:
         return point_of(self._camera.to_screen(np.array(point)))

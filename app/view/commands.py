@@ -276,5 +276,5 @@ MENUS = (
 
 TOOLBAR = (
     *("new", "open", "save", "", "undo", "redo", "", "suggest", "marks", ""),
-    *("fit", "pieces", "skeleton", "onion", "ways", "numbers", "", "export"),
+    *("fit", "", "methods", "layers", "", "export"),
 )

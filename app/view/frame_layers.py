@@ -1,7 +1,9 @@
 """What may lie over or under a frame: ways through time, frames before and after, numbers."""
 
+from collections.abc import Sequence
+
 import numpy as np
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QPainter
 
 from app.view.drawing import faded, pen, polygon_of
@@ -13,6 +15,9 @@ GHOSTS = 9
 
 WAYS = 80
 """At most so many vertices show their ways through time; of more, evenly chosen ones do."""
+
+MOST_NUMBERS = 120
+"""So many numbers are written at most in one view."""
 
 
 def paint_way(painter: QPainter, theme: Theme, way: Floats) -> None:
@@ -27,7 +32,7 @@ def paint_way(painter: QPainter, theme: Theme, way: Floats) -> None:
 def paint_ways(painter: QPainter, theme: Theme, samples: Floats) -> None:
     """Paint the ways of all vertices, or of evenly chosen ones, for samples of shape (k, n, 2)."""
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(pen(faded(theme.muted, 0.8), 1.0))
+    painter.setPen(pen(faded(theme.muted, 0.5), 1.0))
     step = -(-samples.shape[1] // WAYS)
     for way in np.moveaxis(samples[:, ::step], 1, 0):
         painter.drawPolyline(polygon_of(way))
@@ -41,17 +46,27 @@ def paint_ghosts(painter: QPainter, theme: Theme, samples: Floats) -> None:
         painter.drawPolygon(polygon_of(samples[round(share * (len(samples) - 1))]))
 
 
-def paint_numbers(painter: QPainter, theme: Theme, places: Floats, numbers: list[str]) -> None:
-    """Write numbers beside vertices on the screen; of those that would lie on another, the first is shown."""
+def paint_numbers(painter: QPainter, theme: Theme, ring: Floats, numbers: Sequence[str]) -> None:
+    """Write numbers outside the vertices of a ring on the screen; those that find no room are left out."""
+    if not len(ring):
+        return
     font = painter.font()
     font.setPointSizeF(8.0)
     painter.setFont(font)
     painter.setPen(QColor(theme.text))
-    metrics = painter.fontMetrics()
-    taken: set[tuple[int, int]] = set()
-    width, height = metrics.horizontalAdvance("000") + 2, metrics.height()
-    for (x, y), number in zip(places.tolist(), numbers, strict=True):
-        cell = int(x // width), int(y // height)
-        if number and cell not in taken:
-            taken.add(cell)
-            painter.drawText(QPointF(x + 5, y - 4), number)
+    height = painter.fontMetrics().height()
+    taken: list[QRectF] = []
+    for place, way, number in zip(ring, _outwards(ring), numbers, strict=True):
+        width = painter.fontMetrics().horizontalAdvance(number)
+        middle = place + way * (6 + np.array([width, height - 4]) / 2)
+        box = QRectF(middle[0] - width / 2, middle[1] - height / 2, width, height)
+        if number and len(taken) < MOST_NUMBERS and not any(box.intersects(other) for other in taken):
+            taken.append(box)
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, number)
+
+
+def _outwards(ring: Floats) -> Floats:
+    """Give for each vertex of a ring, which runs clockwise as y runs down, the way out of it."""
+    along = np.roll(ring, -1, axis=0) - np.roll(ring, 1, axis=0)
+    ways = np.stack([-along[:, 1], along[:, 0]], axis=1)
+    return np.asarray(ways / np.maximum(np.hypot(*ways.T), 1e-9)[:, None])

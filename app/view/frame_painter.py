@@ -3,7 +3,7 @@
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter
 
-from app.compute import Result
+from app.compute import STEERED, Result
 from app.view import verdicts
 from app.view.camera import Camera
 from app.view.display import Layers
@@ -44,7 +44,7 @@ class FramePainter:
         self._outline(frame, t, crosses)
         if isinstance(blend, PieceBlend) and self._layers.skeleton:
             places = self._camera.to_screen(blend.skeleton_at(t))
-            paint_skeleton(self._painter, self._theme, blend.skeleton, places)
+            paint_skeleton(self._painter, self._theme, blend.skeleton, places, root=result.method == STEERED)
         if self._layers.numbers:
             self._paint_numbers(blend, frame)
         if crosses:

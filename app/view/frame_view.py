@@ -1,12 +1,16 @@
 """A view of one blend's frame at the player's t."""
 
+from dataclasses import replace
+
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Slot
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPixmap, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.compute import MethodState
+from app.compute import STEERED, MethodState
+from app.model.document import Point
 from app.session import Session
+from app.tools.tool import as_point
 from app.view.camera import Camera
 from app.view.display import Display
 from app.view.drawing import layer_for, painting
@@ -14,10 +18,14 @@ from app.view.frame_layers import paint_ghosts, paint_ways
 from app.view.frame_painter import FramePainter
 from app.view.player import Player
 from app.view.theme import theme_of
+from starskel.blending.pieces import PieceBlend
 from starskel.predicates import Floats
 
 NOTCH = 1.25
 """Zoom factor of one notch of the wheel."""
+
+NEAR = 10.0
+"""Pixels within which a star origin counts as under the pointer."""
 
 MARGIN = 14.0
 """Pixels left free around what is fitted."""
@@ -38,6 +46,8 @@ class FrameView(QWidget):
         self._fitted = Camera()
         self._backdrop: QPixmap | None = None
         self._held: QPointF | None = None
+        self._pressed = QPointF()
+        self.setMouseTracking(True)
         self.setMinimumSize(120, 90)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         player.t_changed.connect(self.update)
@@ -78,18 +88,40 @@ class FrameView(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() in (Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton):
-            self._held = event.position()
-            self.setCursor(Qt.CursorShape.ClosedHandCursor)
+            self._held = self._pressed = event.position()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if self._held is not None:
             way = event.position() - self._held
             self._held = event.position()
+            self.setCursor(Qt.CursorShape.ClosedHandCursor)
             self._display.look(self._fitted, self.camera.panned(way.x(), way.y()))
 
+        elif self.origin_at(event.position()) is not None:
+            self.setCursor(Qt.CursorShape.PointingHandCursor)
+        else:
+            self.unsetCursor()
+
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """End a drag; a click on a star origin makes it the root."""
         self._held = None
         self.unsetCursor()
+        origin = self.origin_at(event.position())
+        if event.position() == self._pressed and origin is not None:
+            self._session.steer(replace(self._session.motion, root=origin))
+
+    def origin_at(self, place: QPointF) -> Point | None:
+        """Give where in the source the star origin is that lies under a pixel, where it can be the root."""
+        result = self._state.result
+        if result is None or result.method != STEERED or not self._display.layers.skeleton:
+            return None
+        if not isinstance(result.blend, PieceBlend):
+            return None
+        origins = result.blend.decomposition.source_origins
+        points = self.camera.to_screen(result.blend.skeleton_at(self._player.t)[: len(origins)])
+        ways = np.hypot(*(points - (place.x(), place.y())).T)
+        nearest = int(ways.argmin())
+        return as_point(origins[nearest]) if ways[nearest] <= NEAR else None
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         self._display.fit()

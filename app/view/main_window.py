@@ -21,7 +21,7 @@ from app.view.files import Files
 from app.view.icons import icon
 from app.view.mark_line import MarkLine
 from app.view.marks_table import MarksPanel
-from app.view.menus import examples_menu, fill_menu_bar, methods_menu, tool_bar, tool_palette
+from app.view.menus import examples_menu, fill_menu_bar, layers_menu, methods_menu, tool_bar, tool_palette
 from app.view.options import SWITCHES, OptionsBar
 from app.view.panels import Panels
 from app.view.player import Player
@@ -51,9 +51,10 @@ class MainWindow(QMainWindow):
         self.timeline = Timeline(session, self.player, self.actions_table)
         self._examples = examples_menu(self)
         self._methods = methods_menu(self)
-        submenus = {"examples": self._examples, "methods": self._methods}
+        layers = layers_menu(self, self.actions_table, LAYERS)
+        submenus = {"examples": self._examples, "methods": self._methods, "layers": layers}
         fill_menu_bar(self.menuBar(), self.actions_table, submenus)
-        self.addToolBar(tool_bar(self.actions_table))
+        self.addToolBar(tool_bar(self.actions_table, submenus))
         self.addToolBarBreak()
         self.options = OptionsBar(session, self.actions_table)
         self.addToolBar(self.options)

@@ -1,5 +1,6 @@
 """The marks as a table: a row each, and a last row in which a new one can be typed."""
 
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Slot
@@ -7,6 +8,7 @@ from PySide6.QtGui import QColor, QPalette
 
 from app.model.marks import SIDES, Side, end
 from app.session import Session
+from app.tools.marking import move_mark, set_mark
 from app.view import words
 from app.view.theme import theme_of
 
@@ -76,10 +78,13 @@ class MarksModel(QAbstractTableModel):
             return False
         side, vertex = self.side(index.column()), int(value)
         if index.row() < len(self._shown):
-            return vertex == self.vertex(index) or self._session.repin(index.row(), side, vertex)
+            self._session.edit(partial(move_mark, index=index.row(), side=side, vertex=vertex))
+            return self.vertex(index) == vertex
         self.draft[side] = vertex
         self.dataChanged.emit(index, index)
-        return len(self.draft) < len(SIDES) or self._session.mark(self.draft["source"], self.draft["target"])
+        if len(self.draft) == len(SIDES):
+            self._session.edit(partial(set_mark, source=self.draft["source"], target=self.draft["target"]))
+        return True
 
     def forget(self) -> None:
         """Empty the row of the new mark."""

@@ -1,5 +1,7 @@
 """The table of marks beside the canvases, which the keyboard alone can fill, change and empty."""
 
+from functools import partial
+
 from PySide6.QtCore import QEvent, QModelIndex, Qt, QTimer, Slot
 from PySide6.QtGui import QFocusEvent, QIntValidator, QKeyEvent
 from PySide6.QtWidgets import (
@@ -18,6 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.session import Session
+from app.tools.marking import remove_mark
 from app.view import words
 from app.view.marks_model import Index, MarksModel
 
@@ -111,7 +114,7 @@ class MarksTable(QTableView):
 
     def _delete(self, index: QModelIndex) -> None:
         if 0 <= index.row() < self._marks.rowCount() - 1:
-            self._session.unmark(index.row())
+            self._session.edit(partial(remove_mark, index=index.row()))
         else:
             self._marks.forget()
 

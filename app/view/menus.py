@@ -1,15 +1,15 @@
 """Menus and toolbar, filled from the table of commands."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import QCoreApplication, QSize, Qt
-from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QWidget
+from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QToolButton, QWidget
 
 from app.view import words
 from app.view.actions import Actions, say
 from app.view.commands import MENUS, PALETTE, TOOLBAR
 from starskel.blending import COMPARED
-from starskel.files.examples import example, example_names
+from starskel.files.examples import example, example_names, figure_number
 
 translate = QCoreApplication.translate
 
@@ -27,19 +27,31 @@ def fill_menu_bar(bar: QMenuBar, actions: Actions, submenus: Mapping[str, QMenu]
                 menu.addAction(actions[name])
 
 
-def tool_bar(actions: Actions) -> QToolBar:
-    """Give the toolbar."""
+def tool_bar(actions: Actions, submenus: Mapping[str, QMenu]) -> QToolBar:
+    """Give the toolbar; names in the table that are no commands stand for buttons that open a menu."""
     bar = QToolBar(translate("Menus", "Commands"))
     bar.setObjectName("toolbar")
     bar.setMovable(False)
     bar.setIconSize(QSize(20, 20))
     bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
     for name in TOOLBAR:
-        if name:
+        if name in submenus:
+            bar.addWidget(_menu_button(name, submenus[name]))
+        elif name:
             bar.addAction(actions[name])
         else:
             bar.addSeparator()
     return bar
+
+
+def _menu_button(name: str, menu: QMenu) -> QToolButton:
+    button = QToolButton()
+    button.setObjectName(f"{name}-button")
+    button.setText(menu.title().replace("&", ""))
+    button.setMenu(menu)
+    button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+    return button
 
 
 def tool_palette(actions: Actions) -> QToolBar:
@@ -57,14 +69,27 @@ def tool_palette(actions: Actions) -> QToolBar:
 def examples_menu(parent: QWidget) -> QMenu:
     """Give a menu of the examples; each action's data is the example's name."""
     menu = QMenu(translate("Menus", "E&xamples"), parent)
+    menu.setToolTipsVisible(True)
     for name in example_names():
-        menu.addAction(example(name).name).setData(name)
+        if figure_number(name) == 1:
+            menu.addSection(translate("Menus", "Figures of the paper"))
+        project = example(name)
+        action = menu.addAction(project.name)
+        action.setData(name)
+        action.setToolTip(project.description)
+    return menu
+
+
+def layers_menu(parent: QWidget, actions: Actions, names: Sequence[str]) -> QMenu:
+    """Give a menu of the switches of what is shown."""
+    menu = QMenu(translate("Menus", "Sh&ow"), parent)
+    menu.addActions([actions[name] for name in names])
     return menu
 
 
 def methods_menu(parent: QWidget) -> QMenu:
     """Give a menu of switches for the methods; each action's data is the method's name."""
-    menu = QMenu(translate("Menus", "&Methods Shown"), parent)
+    menu = QMenu(translate("Menus", "&Methods"), parent)
     for method in COMPARED:
         action = menu.addAction(words.method(method))
         action.setCheckable(True)

@@ -2,14 +2,15 @@
 
 from PySide6.QtCore import QEvent
 from PySide6.QtGui import QColor, QPalette
-from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
-from app.compute import MethodState
+from app.compute import STEERED, MethodState
 from app.session import Session
 from app.view import verdicts, words
 from app.view.display import Display
 from app.view.frame_view import FrameView
 from app.view.player import Player
+from app.view.steering import Steering
 from app.view.theme import theme_of
 from starskel.predicates import Floats
 
@@ -36,9 +37,17 @@ class Panel(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(2)
-        layout.addWidget(self._name)
+        layout.addLayout(self._heading())
         layout.addWidget(self.verdict)
         layout.addWidget(self.view, 1)
+
+    def _heading(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        row.setContentsMargins(0, 0, 0, 0)
+        row.addWidget(self._name, 1)
+        if self.method == STEERED:
+            row.addWidget(Steering(self._session))
+        return row
 
     def follow(self, extent: Floats) -> None:
         """Show what the session has of this method, in the view that all panels share."""

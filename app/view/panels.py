@@ -14,7 +14,7 @@ from starskel.predicates import Floats
 HEADING = 40
 """Height of what stands over a panel's frame, in pixels."""
 
-NARROWEST = 200
+NARROWEST = 170
 """Width that a verdict needs; panels are narrower only where one row of two would be."""
 
 

@@ -99,8 +99,8 @@ def _order_reason(third: Mark | None, document: Document) -> str:
         )
     text = translate(
         "Refusal",
-        "{{second}} would cross {{first}}: after {third}, going round, one of them comes first on the source "
-        "and the other on the target. Take another vertex, or move or remove a pin.",
+        "{{second}} would cross {{first}}: going round from {third}, one of them comes first on the source, "
+        "the other on the target.",
     )
     return text.format(third=_named(third, document))
 

@@ -30,6 +30,8 @@ def blend(
     method: str = ...,
     decomposition: Decomposition | None = ...,
     root: int | None = ...,
+    turns: int = ...,
+    settled: bool = ...,
     progress: Progress | None = ...,
     should_stop: ShouldStop | None = ...,
 ) -> Blend: ...
@@ -44,6 +46,8 @@ def blend(
     *,
     decomposition: Decomposition | None = ...,
     root: int | None = ...,
+    turns: int = ...,
+    settled: bool = ...,
     progress: Progress | None = ...,
     should_stop: ShouldStop | None = ...,
 ) -> Blend: ...
@@ -57,6 +61,8 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     *,
     decomposition: Decomposition | None = None,
     root: int | None = None,
+    turns: int = 0,
+    settled: bool = True,
     progress: Progress | None = None,
     should_stop: ShouldStop | None = None,
 ) -> Blend:
@@ -75,6 +81,11 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
         That of the pair, where it is known already; else it is computed if the method needs it.
     root : int, optional
         The piece that is the skeleton's root; else the one with the most neighbours.
+    turns : int
+        Whole turns of the whole shape that the star-skeleton makes besides, counter-clockwise. The other
+        methods leave it out of account.
+    settled : bool
+        False gives a blend sooner, where the method goes on improving one: `Blend.improvements` goes on.
     progress : callable, optional
         Called with the fraction done.
     should_stop : callable, optional
@@ -98,9 +109,9 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     whole: dict[str, Callable[[], Blend]] = {
         "vertex": lambda: VertexBlend(pair),
         "edge-angle": lambda: EdgeAngleBlend(pair),
-        "star-skeleton": lambda: StarSkeletonBlend(_decomposition(pair, decomposition, task), root),
+        "star-skeleton": lambda: StarSkeletonBlend(_decomposition(pair, decomposition, task), root, turns),
         "stitched": lambda: StitchedBlend(
-            _decomposition(pair, decomposition, task), root, task.part(_DECOMPOSING, 1)
+            _decomposition(pair, decomposition, task), root, task.part(_DECOMPOSING, 1), settled=settled
         ),
         "rigid": lambda: RigidBlend(
             _decomposition(pair, decomposition, task), root, task.part(_DECOMPOSING, 1)

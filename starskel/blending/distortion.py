@@ -6,10 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from starskel.blending.mesh import triangle_areas
-from starskel.polar import Complex
-from starskel.predicates import Floats
-
-Indices = NDArray[np.intp]
+from starskel.predicates import Complex, Floats, Indices
 
 _LEAST_AREA = 1e-9
 """Triangles under this part of the whole area count as having none."""

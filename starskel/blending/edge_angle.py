@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from starskel.blending.frames import Blend, checked_times, placed, with_exact_ends
 from starskel.correspondence import Correspondence
 from starskel.outline import edge_lengths, edge_vectors, turning_angles
-from starskel.polar import Complex, PolarVectors, as_complex, as_points
-from starskel.predicates import ROUNDING, Floats
+from starskel.polar import PolarVectors, as_complex, as_points
+from starskel.predicates import ROUNDING, Complex, Floats
 
 _STIFFEST = 1e-4
 """The least softness of an edge, as a part of the softest one's, and of the mean edge length."""

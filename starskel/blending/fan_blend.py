@@ -12,8 +12,8 @@ from starskel.blending.improvement import with_better_hubs
 from starskel.blending.pieces import PieceBlend
 from starskel.decomposition.pieces import Decomposition
 from starskel.outline import precedes
-from starskel.polar import Complex, as_points
-from starskel.predicates import Floats
+from starskel.polar import as_points
+from starskel.predicates import Complex, Floats
 from starskel.skeleton import skeleton_of
 from starskel.task import Task
 

@@ -10,8 +10,7 @@ from starskel.decomposition.pieces import Decomposition
 from starskel.points import Points, points_of
 from starskel.predicates import Floats
 from starskel.task import Task
-
-Triangle = tuple[int, int, int]
+from starskel.triangulation import Triangle
 
 
 @dataclass(frozen=True, eq=False)

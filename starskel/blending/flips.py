@@ -4,10 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from starskel.blending.distortion import Shapes
-from starskel.predicates import Floats
+from starskel.predicates import Floats, Indices
 from starskel.task import Task
-
-Indices = NDArray[np.intp]
 
 _WORTH = 1e-6
 """A flip must lessen the distortion of its two triangles by this part: rounding decides nothing."""

@@ -1,6 +1,7 @@
 """What every method offers: the in-between polygons of a pair, the frames."""
 
 from abc import ABC, abstractmethod
+from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,6 +12,7 @@ from starskel.errors import StarskelError
 from starskel.outline import edge_lengths
 from starskel.predicates import Floats
 from starskel.skeleton import Skeleton
+from starskel.task import Progress, ShouldStop
 
 _BATCH = 1 << 17
 """So many points are computed together: what they need stays in the processor's cache."""
@@ -35,6 +37,7 @@ class Blend(ABC):
     key_times: Floats | None = None
     decomposition: Decomposition | None = None
     skeleton: Skeleton | None = None
+    settled: bool = True
 
     def __init__(self, pair: Correspondence) -> None:
         self.pair = pair
@@ -66,6 +69,28 @@ class Blend(ABC):
     def negative_lengths(self, ts: ArrayLike) -> NDArray[np.bool_]:
         """Tell at which of the times the method had to give some edge a negative length."""
         return np.zeros(len(checked_times(ts)), dtype=np.bool_)
+
+    def improvements(
+        self, *, progress: Progress | None = None, should_stop: ShouldStop | None = None
+    ) -> Iterator["Blend"]:
+        """Give ever better blends: fewer frames cross themselves than of the one made at once and all before.
+
+        The last is what the blend is when it is settled; there is none where nothing better is found, as with
+        methods that settle at once.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            Called with the fraction done.
+        should_stop : callable, optional
+            Asked often whether to stop.
+
+        Raises
+        ------
+        Cancelled
+            If ``should_stop`` answered True.
+        """
+        yield from ()
 
     @abstractmethod
     def _frames(self, ts: Floats) -> Floats:

@@ -3,14 +3,11 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from starskel.blending.distortion import Shapes
-from starskel.polar import Complex, as_complex, as_points
-from starskel.predicates import ROUNDING, Floats
+from starskel.polar import as_complex, as_points
+from starskel.predicates import ROUNDING, Complex, Floats, Indices
 from starskel.task import Task
-
-Indices = NDArray[np.intp]
 
 _STEPS = 30
 """The most Newton steps."""

@@ -7,13 +7,10 @@ or little more, instead of the m^2 of an inverse.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import csc_array
 from scipy.sparse.linalg import SuperLU, splu
 
-from starskel.predicates import Floats
-
-Indices = NDArray[np.intp]
+from starskel.predicates import Floats, Indices
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,10 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from starskel.blending.fans import Fans
-from starskel.polar import Complex, PolarVectors, as_complex
-from starskel.predicates import Floats
-
-Indices = NDArray[np.intp]
+from starskel.polar import PolarVectors, as_complex
+from starskel.predicates import Complex, Floats, Indices
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,14 +8,11 @@ that becomes b is then R(t angle) ((1 - t) a + t R(-angle) b), which is the same
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from starskel.blending.laplacian import Factored, factor
 from starskel.blending.mesh import Mesh
-from starskel.polar import Complex, as_complex, as_points
-from starskel.predicates import ROUNDING, Floats
-
-Indices = NDArray[np.intp]
+from starskel.polar import as_complex, as_points
+from starskel.predicates import ROUNDING, Complex, Floats, Indices
 
 _FLATTEST = 0.01
 """Triangles lower than this part of their longest side insist no more than one of that height."""

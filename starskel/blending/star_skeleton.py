@@ -6,8 +6,8 @@ from numpy.typing import NDArray
 from starskel.blending.frames import checked_times, with_exact_ends
 from starskel.blending.pieces import PieceBlend
 from starskel.decomposition.pieces import Decomposition
-from starskel.polar import Complex, as_complex, as_points
-from starskel.predicates import Floats
+from starskel.polar import as_complex, as_points
+from starskel.predicates import Complex, Floats
 from starskel.skeleton import skeleton_of
 from starskel.skeleton.spokes import spokes_of
 
@@ -20,11 +20,13 @@ class StarSkeletonBlend(PieceBlend):
     decomposition : Decomposition
     root : int, optional
         The piece whose star origin is the root; else the one with the most neighbours.
+    turns : int
+        Whole turns of the whole shape, counter-clockwise, besides what it needs to turn.
     """
 
-    def __init__(self, decomposition: Decomposition, root: int | None = None) -> None:
+    def __init__(self, decomposition: Decomposition, root: int | None = None, turns: int = 0) -> None:
         super().__init__(decomposition, skeleton_of(decomposition, root))
-        self._spokes = spokes_of(self.skeleton)
+        self._spokes = spokes_of(self.skeleton, turns)
         self._roots = (
             as_complex(decomposition.source_origins[self.skeleton.root]),
             as_complex(decomposition.target_origins[self.skeleton.root]),

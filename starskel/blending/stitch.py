@@ -3,15 +3,12 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from starskel.blending.distortion import Shapes
 from starskel.blending.laplacian import Factored, factor
 from starskel.blending.mesh import Mesh, triangle_areas
-from starskel.polar import Complex, as_complex, as_points
-from starskel.predicates import Floats
-
-Indices = NDArray[np.intp]
+from starskel.polar import as_complex, as_points
+from starskel.predicates import Complex, Floats, Indices
 
 SHORTEST = 1e-3
 """Edges shorter than this part of the size count as so long."""
@@ -19,11 +16,14 @@ SHORTEST = 1e-3
 REACH = 0.3
 """How far area corrections are smoothed, as a part of the size."""
 
-CLIP = 4.0
-"""The largest factor by which a triangle's area is corrected at once."""
+SWOLLEN, SQUEEZED = 4.0, 1.5
+"""The largest factors by which a triangle's area is corrected at once, downwards and upwards.
+
+Squeezed triangles must not make up for swollen ones: a mean of both would leave the whole too large.
+"""
 
 PASSES = 2
-"""How often areas are corrected: what is left after the first time is less than half."""
+"""How often areas are corrected: more often gains little."""
 
 MOST_DISTORTED = 10.0
 """Distortions count as no more than this, and as this where triangles have no area."""
@@ -142,7 +142,7 @@ class Stitch:
         graph = self.graph
         mesh, t = graph.mesh, ts[:, None]
         wanted = (1 - t) * mesh.source_areas + t * mesh.target_areas
-        there = np.clip(triangle_areas(points[:, mesh.triangles]), wanted / CLIP, wanted * CLIP)
+        there = np.clip(triangle_areas(points[:, mesh.triangles]), wanted / SQUEEZED, wanted * SWOLLEN)
         has_area = wanted > 0
         lacking = np.log(np.where(has_area, wanted, 1.0) / np.where(has_area, there, 1.0))
         masses = np.minimum(graph.masses, np.maximum(wanted, 0.0) / (3 * wanted.sum(axis=1, keepdims=True)))

@@ -7,7 +7,7 @@ from starskel.blending.fan_blend import FanBlend, Motion
 from starskel.blending.fans import Fans
 from starskel.blending.stiffening import Graphs, better, plainest
 from starskel.decomposition.pieces import Decomposition
-from starskel.task import Task
+from starskel.task import Progress, ShouldStop, Task
 
 
 class StitchedBlend(FanBlend):
@@ -35,24 +35,22 @@ class StitchedBlend(FanBlend):
     ) -> None:
         watched = task or Task()
         super().__init__(decomposition, root, watched)
+        self.settled = settled
         if settled:
-            for improvement in self.improvements(watched.part(0.1, 1)):
-                self._move_by(improvement._motion)
+            for motion in self._better_motions(watched.part(0.1, 1)):
+                self._move_by(motion)
 
-    def improvements(self, task: Task | None = None) -> Iterator["StitchedBlend"]:
-        """Give ever better blends: each has fewer crossing frames than the one made at once and all before.
-
-        The last is what the blend is when it is settled; there is none where nothing better is found.
-
-        Raises
-        ------
-        Cancelled
-            If the task is told to stop.
-        """
-        for stitch in better(self._graphs, task or Task()):
+    def improvements(
+        self, *, progress: Progress | None = None, should_stop: ShouldStop | None = None
+    ) -> Iterator["StitchedBlend"]:
+        """Give blends with ever fewer crossing frames, while stiffening and other balances find some."""
+        for motion in self._better_motions(Task(progress, should_stop)):
             improvement = copy(self)
-            improvement._move_by(stitch.points)
+            improvement._move_by(motion)
             yield improvement
+
+    def _better_motions(self, task: Task) -> Iterator[Motion]:
+        return (stitch.points for stitch in better(self._graphs, task))
 
     def _prepared(self, fans: Fans, task: Task) -> Motion:
         self._graphs = Graphs(fans, len(self.pair))

@@ -89,7 +89,8 @@ def _exhibit(
 
 def _text(pair: ShapePair) -> str:
     counts = f"{len(pair.source)} and {len(pair.target)} vertices, {counted(len(pair.marks), 'mark')}."
-    return f"{pair.origin}. {counts}" if pair.origin else counts
+    sentences = [text.rstrip(".") + "." for text in (pair.description, pair.origin) if text]
+    return " ".join([*sentences, counts])
 
 
 def _free_name(title: str, taken: set[str]) -> str:

@@ -7,9 +7,7 @@ from numpy.typing import NDArray
 
 from starskel.errors import InvalidPolygon
 from starskel.outline import edge_lengths
-from starskel.predicates import ROUNDING, Floats
-
-Indices = NDArray[np.intp]
+from starskel.predicates import ROUNDING, Floats, Indices
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,18 +8,14 @@ import heapq
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from starskel.errors import InvalidPolygon
 from starskel.outline import edge_lengths, edge_vectors, turning_angles
 from starskel.points import points_of
-from starskel.polar import Complex
 from starskel.polygon import crossing_edges
-from starskel.predicates import Floats
+from starskel.predicates import Complex, Floats, Indices
 from starskel.task import Task
 from starskel.triangulation import triangulate
-
-Indices = NDArray[np.intp]
 
 MOST = 48
 """So many vertices of an outline are compared, at most."""

@@ -11,9 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.correspondence.alignment import Prices
-from starskel.correspondence.landmarks import Indices, Landmarks
-from starskel.polar import Complex
-from starskel.predicates import Floats
+from starskel.correspondence.landmarks import Landmarks
+from starskel.predicates import Complex, Floats, Indices
 
 Starts = tuple[Indices, Indices]
 """Landmarks of the first and of the second outline that are matched, (k,) alternatives."""

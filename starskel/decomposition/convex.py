@@ -17,8 +17,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from starskel.points import Indices, Points
-from starskel.predicates import Floats
+from starskel.points import Points
+from starskel.predicates import Floats, Indices
 from starskel.task import Task
 from starskel.triangulation import Triangulation
 from starskel.visibility import Visibility

@@ -10,6 +10,7 @@ from starskel.decomposition.minimal import Piece, minimal_pieces
 from starskel.decomposition.pieces import Decomposition
 from starskel.decomposition.reduce import reduce
 from starskel.decomposition.rivals import by_rivals
+from starskel.decomposition.shape import shaped
 from starskel.decomposition.tiling import Tiling
 from starskel.decomposition.transfer import transfer
 from starskel.errors import NoDecomposition, StarskelError
@@ -97,20 +98,27 @@ def _minimal(tiling: Tiling, whole: Piece, steiner: bool, task: Task) -> Tiling:
             "allow Steiner vertices, or change the marks",
         )
     tiling = climb(tiling, whole, by_rivals, task.part(0.5, 0.9))
-    return reduce(tiling, len(whole), task.part(0.9, 1))
+    return _polished(tiling, len(whole), task.part(0.9, 1))
 
 
 def _convex(tiling: Tiling, whole: Piece, steiner: bool, task: Task) -> Tiling:
     if tiling.is_star(whole):
         return tiling
     tiling = transfer(tiling, whole, task.part(0, 0.9))
-    tiling = reduce(tiling, len(whole), task.part(0.9, 1))
+    tiling = _polished(tiling, len(whole), task.part(0.9, 1))
     if not steiner and any(v >= len(whole) for piece in tiling.pieces for v in piece):
         raise NoDecomposition(
             "the convex pieces of neither polygon can be carried over without Steiner vertices",
             'allow Steiner vertices, or take the algorithm "minimal"',
         )
     return tiling
+
+
+def _polished(tiling: Tiling, n: int, task: Task) -> Tiling:
+    """Drop Steiner vertices and pieces that are not needed; vertices in better places free more of them."""
+    tiling = reduce(tiling, n, task.part(0, 0))
+    tiling = shaped(tiling, n, task.part(0, 0))
+    return reduce(tiling, n, task)
 
 
 def _fewest(tiling: Tiling, whole: Piece, task: Task) -> list[Piece] | None:

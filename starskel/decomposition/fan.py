@@ -7,10 +7,10 @@ import numpy as np
 
 from starskel.decomposition.minimal import Piece
 from starskel.decomposition.tiling import Tiling
-from starskel.predicates import Floats
+from starskel.predicates import Floats, Relation
 from starskel.task import Task
 from starskel.triangulation import Grounds, Triangulation
-from starskel.visibility import Relation, visibility_from
+from starskel.visibility import visibility_from
 
 EASY = 2
 """A pocket of so many hidden vertices is a pentagon at most, and every pentagon is star-shaped."""

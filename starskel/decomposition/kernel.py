@@ -6,9 +6,8 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from starskel.points import Indices, Points, points_of
-from starskel.predicates import ROUNDING, Floats
-from starskel.visibility import Relation
+from starskel.points import Points, points_of
+from starskel.predicates import ROUNDING, Floats, Indices, Relation
 
 Entry = TypeVar("Entry", bound=np.generic)
 

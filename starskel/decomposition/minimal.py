@@ -29,10 +29,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from starskel.points import Indices
-from starskel.predicates import Floats
+from starskel.predicates import Floats, Indices, Relation
 from starskel.task import Task
-from starskel.visibility import Relation
 
 Piece = tuple[int, ...]
 

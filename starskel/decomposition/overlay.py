@@ -14,8 +14,7 @@ from numpy.typing import NDArray
 
 from starskel.decomposition.minimal import Piece
 from starskel.decomposition.tiling import Tiling
-from starskel.points import Indices
-from starskel.predicates import Floats
+from starskel.predicates import Floats, Indices
 from starskel.triangulation import Triangulation
 
 

@@ -11,11 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.decomposition.sightlines import Places, sightlines
-from starskel.points import Indices, Points
-from starskel.predicates import ROUNDING, Floats
+from starskel.points import Points
+from starskel.predicates import ROUNDING, Floats, Indices, Relation
 from starskel.task import Task
 from starskel.triangulation import Triangulation, triangulate
-from starskel.visibility import Relation
 
 WITHIN = np.array([(64, 17, 15), (16, 65, 15), (17, 16, 63)]) / 96
 """Weights of the corners of a triangle for places in it: uneven, to stand in no line by chance."""

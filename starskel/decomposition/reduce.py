@@ -13,7 +13,7 @@ from starskel.decomposition.minimal import Piece
 from starskel.decomposition.tiling import Tiling
 from starskel.task import Task
 
-AT_ONCE = 1 << 13
+AT_ONCE = 1 << 12
 """Vertices of rings that are looked at between two questions whether to stop."""
 
 
@@ -89,7 +89,9 @@ class _Reduction:
 
     def _look_at(self, rings: Iterable[Piece]) -> None:
         """Find out which rings are simple, counter-clockwise and star-shaped in both polygons."""
-        waiting = [ring for ring in dict.fromkeys(rings) if ring not in self._stars]
+        waiting = sorted(
+            {ring for ring in rings if ring not in self._stars}, key=lambda ring: (len(ring), ring)
+        )
         while waiting:
             self._task.reach(0)
             ends = np.cumsum([len(ring) for ring in waiting])

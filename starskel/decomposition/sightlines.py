@@ -8,11 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from starskel.points import Indices, Points
-from starskel.predicates import Signs
+from starskel.points import Points
+from starskel.predicates import Indices, Relation, Signs
 from starskel.task import Task
 from starskel.triangulation import Triangulation
-from starskel.visibility import Relation
 
 
 @dataclass(frozen=True, eq=False)

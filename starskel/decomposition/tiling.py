@@ -8,8 +8,7 @@ import numpy as np
 from starskel.decomposition.kernel import star_points, star_vertices
 from starskel.decomposition.minimal import Piece
 from starskel.points import Points
-from starskel.predicates import Floats
-from starskel.visibility import Relation
+from starskel.predicates import Floats, Relation
 
 NOWHERE = np.empty((0, 2))
 

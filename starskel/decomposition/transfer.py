@@ -20,10 +20,10 @@ from starskel.decomposition.ladder import by_fan, climb
 from starskel.decomposition.minimal import Piece
 from starskel.decomposition.paths import bends_between
 from starskel.decomposition.tiling import Tiling
-from starskel.predicates import Floats
+from starskel.predicates import Floats, Relation
 from starskel.task import Task
 from starskel.triangulation import Triangulation, triangulate
-from starskel.visibility import Relation, visibility
+from starskel.visibility import visibility
 
 
 def transfer(tiling: Tiling, whole: Piece, task: Task) -> Tiling:

@@ -13,9 +13,9 @@ import numpy as np
 from starskel.decomposition.kernel import is_star_point
 from starskel.decomposition.pieces import Decomposition
 from starskel.outline import signed_areas
-from starskel.points import Indices, Points, points_of
+from starskel.points import Points, points_of
 from starskel.polygon import crossing_edges
-from starskel.predicates import Floats
+from starskel.predicates import Floats, Indices
 
 
 def faults(decomposition: Decomposition) -> list[str]:

@@ -1,5 +1,6 @@
 """The example projects that come with the program."""
 
+import re
 from pathlib import Path
 
 from starskel.errors import InvalidFile
@@ -18,8 +19,15 @@ def resource_folder() -> Path:
 
 
 def example_names() -> tuple[str, ...]:
-    """Give the names of the examples; the first is the one that a first start shows."""
-    return tuple(sorted(path.stem for path in (resource_folder() / "examples").glob("*.json")))
+    """Give the names of the examples: what a first start shows comes first, the paper's figures last."""
+    names = [path.stem for path in (resource_folder() / "examples").glob("*.json")]
+    return tuple(sorted(names, key=_rank))
+
+
+def figure_number(name: str) -> int | None:
+    """Give the number of the paper's figure that an example shows, or None."""
+    found = re.match(r"figure-(\d+)-", name)
+    return int(found[1]) if found else None
 
 
 def example(name: str) -> Project:
@@ -33,3 +41,7 @@ def example(name: str) -> Project:
     if name not in example_names():
         raise InvalidFile(f'there is no example "{name}"', "choose one of " + ", ".join(example_names()))
     return read_project(resource_folder() / "examples" / f"{name}.json")
+
+
+def _rank(name: str) -> tuple[int, str]:
+    return figure_number(name) or 0, name

@@ -1,6 +1,7 @@
 """The gallery: a page of many pairs, each with its sheet and figures; no scripts, nothing from elsewhere."""
 
 import math
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
@@ -112,7 +113,7 @@ def _summary_row(method: str, reports: Sequence[Report]) -> list[str]:
 def _list(exhibits: Sequence[Exhibit]) -> str:
     """Give the list of pairs. The style sheet sorts it by the ranks that each pair carries."""
     ranks = {
-        "name": _ranks([exhibit.title.casefold() for exhibit in exhibits]),
+        "name": _ranks([_alphabetical(exhibit.title) for exhibit in exhibits]),
         "crossings": _ranks([-sum(len(r.crossing_frames) for r in e.reports.values()) for e in exhibits]),
         "area": _ranks([-max(r.area_deviation for r in e.reports.values()) for e in exhibits]),
     }
@@ -132,6 +133,11 @@ def _list(exhibits: Sequence[Exhibit]) -> str:
 def _ranks(keys: Sequence[str] | Sequence[float]) -> list[int]:
     order = sorted(range(len(keys)), key=lambda k: (keys[k], k))
     return [order.index(k) for k in range(len(keys))]
+
+
+def _alphabetical(title: str) -> str:
+    """Give what titles are ordered by: without regard to capitals, numbers by their value."""
+    return re.sub(r"\d+", lambda number: number[0].zfill(9), title.casefold())
 
 
 def _chip(method: str, report: Report) -> str:

@@ -46,6 +46,8 @@ class ShapePair:
         Words to find it by.
     origin : str
         Where the shapes come from, and their licence.
+    description : str
+        A sentence about the pair, where there is one.
     """
 
     id: str
@@ -54,6 +56,7 @@ class ShapePair:
     marks: tuple[Mark, ...] = ()
     tags: tuple[str, ...] = ()
     origin: str = ""
+    description: str = ""
 
 
 class PairsFile:

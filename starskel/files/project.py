@@ -35,10 +35,13 @@ class _FirstDocument(msgspec.Struct, frozen=True):
     target: list[Row] | None
     marks: list[Mark]
     methods: list[str]
+    description: str = ""
 
     def updated(self) -> "_Document":
         shapes = [self.source, self.target]
-        return _Document(self.format, VERSION, self.name, shapes, [_Step(1.0, self.marks)], self.methods)
+        return _Document(
+            self.format, VERSION, self.name, shapes, [_Step(1.0, self.marks)], self.methods, self.description
+        )
 
 
 class _Step(msgspec.Struct, frozen=True):
@@ -53,6 +56,7 @@ class _Document(msgspec.Struct, frozen=True):
     shapes: list[list[Row] | None]
     steps: list[_Step]
     methods: list[str]
+    description: str = ""
     pictures: list[Picture | None] = []  # for each shape; files without any may leave it out
 
 
@@ -86,6 +90,8 @@ class Project:
         Step k leads from shape k to shape k + 1.
     methods : tuple of str
         The blending methods shown, in order.
+    description : str
+        A sentence about it; empty where nobody wrote one.
     pictures : tuple of Picture or None
         For each shape what is behind it; empty where there is none at all.
     """
@@ -94,12 +100,13 @@ class Project:
     shapes: tuple[Polygon | None, ...] = (None, None)
     steps: tuple[Step, ...] = (Step(),)
     methods: tuple[str, ...] = ()
+    description: str = ""
     pictures: tuple[Picture | None, ...] = ()
 
     @classmethod
     def of(cls, pair: ShapePair) -> "Project":
         """Give a pair as a project of one step."""
-        return cls(pair.id, (pair.source, pair.target), (Step(pair.marks),))
+        return cls(pair.id, (pair.source, pair.target), (Step(pair.marks),), description=pair.description)
 
     def pair(self, step: int) -> ShapePair:
         """Give the two shapes of a step, under the project's name, and the step's where there are several.
@@ -115,7 +122,8 @@ class Project:
                 f"{self.name} has no shape {letter(step if source is None else step + 1)} yet",
                 "draw it in the editor and save",
             )
-        return ShapePair(self.step_name(step), source, target, self.steps[step].marks)
+        marks = self.steps[step].marks
+        return ShapePair(self.step_name(step), source, target, marks, description=self.description)
 
     def step_name(self, step: int) -> str:
         """Give the name of a step: the project's, and the letters of its shapes where there are several."""
@@ -154,7 +162,8 @@ def read_project(path: Path) -> Project:
     )
     # the polygons as if they had been given counter-clockwise, as their marks are
     own = tuple(None if shape is None else Polygon(shape.vertices) for shape in shapes)
-    return Project(document.name, own, steps, _methods(path, document.methods), tuple(document.pictures))
+    methods, pictures = _methods(path, document.methods), tuple(document.pictures)
+    return Project(document.name, own, steps, methods, document.description, pictures)
 
 
 def write_project(path: Path, project: Project) -> None:
@@ -167,9 +176,10 @@ def write_project(path: Path, project: Project) -> None:
     """
     shapes = [None if shape is None else rows_of(shape) for shape in project.shapes]
     steps = [_Step(step.duration, list(step.marks)) for step in project.steps]
+    methods, description = list(project.methods), project.description
     pictures = list(project.pictures) if any(project.pictures) else []
-    methods = list(project.methods)
-    write_document(path, _Document(FORMAT, VERSION, project.name, shapes, steps, methods, pictures))
+    document = _Document(FORMAT, VERSION, project.name, shapes, steps, methods, description, pictures)
+    write_document(path, document)
 
 
 def _read(path: Path) -> _Document:

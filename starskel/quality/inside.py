@@ -4,15 +4,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from starskel.blending.distortion import Shapes
 from starskel.blending.mesh import triangle_areas
 from starskel.decomposition.pieces import Decomposition
-from starskel.polar import Complex, as_complex
-from starskel.predicates import Floats
-
-Indices = NDArray[np.intp]
+from starskel.polar import as_complex
+from starskel.predicates import Complex, Floats, Indices
 
 
 @dataclass(frozen=True)

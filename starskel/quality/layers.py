@@ -15,10 +15,8 @@ import shapely
 from numpy.typing import NDArray
 
 from starskel.outline import turning_angles
-from starskel.predicates import Floats, folds_back, orientation, segments_meet
+from starskel.predicates import Floats, Indices, folds_back, orientation, segments_meet
 from starskel.task import UNWATCHED, Task
-
-Indices = NDArray[np.intp]
 
 
 def in_layers(ring: Floats, task: Task = UNWATCHED) -> bool:

@@ -16,13 +16,10 @@ its own rotation, and the root is left with one free choice: whole turns of the 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from starskel.polar import Complex, PolarVectors, as_complex
-from starskel.predicates import ROUNDING, Floats
+from starskel.polar import PolarVectors, as_complex
+from starskel.predicates import ROUNDING, Complex, Floats, Indices
 from starskel.skeleton import Skeleton
-
-Indices = NDArray[np.intp]
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,15 +46,18 @@ class Spokes:
     vectors: PolarVectors
 
 
-def spokes_of(skeleton: Skeleton) -> Spokes:
-    """Give the spokes of a skeleton's decomposition, unwrapped from the root outwards."""
+def spokes_of(skeleton: Skeleton, turns: int = 0) -> Spokes:
+    """Give the spokes of a skeleton's decomposition, unwrapped from the root outwards.
+
+    All of them turn by so many whole turns more than they need, counter-clockwise.
+    """
     layout = _layout(skeleton)
     dec = skeleton.decomposition
     source = _side(layout, dec.source, dec.source_origins)
     target = _side(layout, dec.target, dec.target_origins)
     rotations = _rotations(skeleton, layout, source, target)
     lengths = source.lengths, target.lengths
-    vectors = PolarVectors.between(source.directions, target.directions, rotations, lengths)
+    vectors = PolarVectors.between(source.directions, target.directions, rotations, lengths).turned(turns)
     return Spokes(layout.pieces, layout.rows, layout.outer, layout.inner, vectors)
 
 

@@ -9,7 +9,7 @@ parser.add_argument("--seed", type=int, default=0, help="of the pairs that are d
 parser.add_argument("--pairs", type=int, default=60, help="how many of them")
 parser.add_argument("--most", type=int, default=2000, help="the largest number of vertices")
 arguments = parser.parse_args()
-decomposing.visibility_against_shapely()
+decomposing.visibility_against_shapely(arguments.most)
 decomposing.growth(arguments.most)
 decomposing.steiner_vertices(arguments.seed, arguments.pairs)
 algorithms.algorithms(arguments.seed, arguments.pairs)

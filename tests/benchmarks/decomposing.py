@@ -35,13 +35,20 @@ def all_pairs_by_shapely(ring):
     return shapely.covers(polygon, shapely.linestrings(np.stack([ring[i], ring[j]], axis=1)))
 
 
-def visibility_against_shapely() -> None:
-    rows = []
-    for n in (50, 100, 200, 400):
-        ring = blob(n, 1)
-        ours, theirs = seconds(lambda r=ring: all_pairs(r)), seconds(lambda r=ring: all_pairs_by_shapely(r))
-        rows.append((n, ours * 1e3, theirs * 1e3, theirs / ours))
-    table("Visibility of all pairs, smooth rings", ("vertices", "ms", "shapely ms", "times faster"), rows)
+def visibility_against_shapely(most: int) -> None:
+    """Time all pairs of the first shape of each kind; shapely as far as it ends within a second or two."""
+    for name, shapes in SHAPES.items():
+        rows, times = [], []
+        sizes = [n for n in (50, 100, 200, 400, 1000, 2000) if n <= most]
+        for n in sizes:
+            ring, _ = shapes(n)
+            times.append(seconds(lambda r=ring: all_pairs(r)))
+            theirs = seconds(lambda r=ring: all_pairs_by_shapely(r)) if n <= 400 else float("nan")
+            rows.append(
+                (n, times[-1] * 1e3, theirs * 1e3, theirs / times[-1], float(all_pairs(ring).sees.mean()))
+            )
+        title = f"Visibility of all pairs, {name} rings: grows by the power {exponent(sizes, times):.2f}"
+        table(title, ("vertices", "ms", "shapely ms", "times faster", "share seen"), rows)
 
 
 def growth(most: int) -> None:

@@ -3,7 +3,7 @@ from itertools import combinations
 import numpy as np
 import pytest
 import shapely
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from starskel.correspondence import match
@@ -65,7 +65,6 @@ def test_a_shape_matched_with_itself_gives_the_identity(ring):
         np.testing.assert_array_equal(pair.target_vertices, np.arange(len(ring)))
 
 
-@settings(deadline=None)  # a busy machine is no fault
 @given(
     st.integers(4, 12),
     st.integers(4, 12),
@@ -86,7 +85,6 @@ def test_real_pairs_are_completed(shape_pair):
     assert pair.marks == shape_pair.marks
 
 
-@settings(deadline=None)  # a busy machine is no fault
 @given(st.integers(3, 12), st.integers(3, 12), st.integers(0, 30), st.booleans())
 def test_exchanging_the_shapes_gives_the_same_pairs_of_points(n, m, seed, marked):
     source, target = two_opt(n, seed), two_opt(m, seed + 100)
@@ -161,7 +159,6 @@ def test_marks_name_the_points_as_they_were_given():
     assert pairs_of(pair) == pairs_of(match(source, target, [(1, 2), (4, 6)]))
 
 
-@settings(deadline=None)  # a busy machine is no fault
 @given(
     st.integers(5, 16),
     st.integers(0, 40),
@@ -274,7 +271,6 @@ def test_impossible_marks_are_refused_by_name(marks, message, named):
         assert error.value.marks == named
 
 
-@settings(deadline=None)  # a busy machine is no fault
 @given(st.permutations(range(6)), st.integers(0, 8))
 def test_marks_are_refused_exactly_where_their_cyclic_orders_disagree(order, shift):
     marks = [(i, (j + shift) % 9) for i, j in enumerate(order)]

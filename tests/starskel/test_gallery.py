@@ -9,7 +9,7 @@ import pytest
 
 from starskel.blending import COMPARED
 from starskel.cli import main
-from starskel.files.examples import resource_folder
+from starskel.files.examples import example, resource_folder
 from tests.starskel.test_cli_verbs import LETTERS, texts
 
 HAND = str(resource_folder() / "examples" / "hand.json")
@@ -78,6 +78,15 @@ def test_every_pair_has_a_place_an_anchor_and_a_sheet_beside_the_page(gallery):
     assert all(page.having("img", "alt"))
 
 
+def test_texts_tell_what_the_pair_is(gallery):
+    first, letter = [text for text in Page(gallery / "index.html").inside("p") if "vertices" in text][:2]
+    assert first.endswith("63 and 78 vertices, 7 marks.")
+    assert letter.startswith("DejaVu")
+    main(["gallery", "-o", "out", str(resource_folder() / "examples" / "figure-11-coil.json"), *QUICK])
+    (text,) = [text for text in Page(Path("out", "index.html")).inside("p") if "vertices" in text]
+    assert text.startswith(example("figure-11-coil").description.rstrip("."))
+
+
 def test_the_sheets_show_the_methods_as_strips(gallery):
     shown = texts(gallery / "a-hand-opens.svg")
     assert {"vertex", "star-skeleton", "t = 0.5", "simple, proven"} <= set(shown)
@@ -115,6 +124,13 @@ def test_the_list_can_be_put_in_other_orders(gallery):
         assert sorted(ranks) == list("01234")
     by_crossings = [s.split("--crossings: ")[1][0] for s in page.having("li", "style")]
     assert by_crossings[0] == "0"  # the hand's fingers cross in more frames than any letter
+
+
+def test_names_are_ordered_by_the_value_of_their_numbers():
+    names = ("figure 10", "Figure 9", "an arm")
+    main(["gallery", "-o", "out", pairs_file(*((name, TRIANGLE) for name in names)), *QUICK])
+    styles = Page(Path("out", "index.html")).having("li", "style")
+    assert [style.split("--name: ")[1][0] for style in styles] == ["2", "1", "0"]
 
 
 def test_equal_calls_write_equal_bytes(gallery):

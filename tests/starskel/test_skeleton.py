@@ -1,6 +1,7 @@
 import numpy as np
 import pytest
 
+import starskel
 from starskel.correspondence import match
 from starskel.decomposition import decompose
 from starskel.errors import StarskelError
@@ -114,3 +115,15 @@ def test_rotations_are_corrected_to_end_exactly_and_needless_turns_are_dropped()
     np.testing.assert_allclose(vectors.rotations, np.pi / 2)
     np.testing.assert_allclose(vectors.at(np.array([1.0]))[0], target, atol=1e-15)
     np.testing.assert_allclose(vectors.at(np.array([0.5]))[0], source * np.exp(0.25j * np.pi), atol=1e-15)
+
+
+def test_whole_turns_come_on_top_and_leave_the_ends():
+    ring = np.array([(0.0, 0.0), (4.0, 0.0), (4.0, 1.0), (0.0, 1.0)])
+    made = {k: starskel.blend(ring, ring, [(0, 0)], "star-skeleton", turns=k) for k in (-1, 0, 2)}
+    for each in made.values():
+        np.testing.assert_allclose(each.at(0), ring, atol=1e-12)
+        np.testing.assert_allclose(each.at(1), ring, atol=1e-12)
+    middle = ring.mean(axis=0)
+    np.testing.assert_allclose(made[2].at(0.25), 2 * middle - ring, atol=1e-12)
+    np.testing.assert_allclose(made[-1].at(0.5), 2 * middle - ring, atol=1e-12)
+    np.testing.assert_allclose(made[0].at(0.25), ring, atol=1e-12)

@@ -2,12 +2,13 @@ import numpy as np
 import pytest
 
 from starskel import triangulation
-from starskel.errors import InvalidPolygon
+from starskel.errors import Cancelled, InvalidPolygon
 from starskel.outline import signed_areas
 from starskel.points import points_of
+from starskel.task import Task
 from starskel.triangulation import Triangulation
 from starskel.visibility import visibility, visibility_from
-from tests.families import comb, spiral, subdivided, turned, two_opt
+from tests.families import blob, comb, spiral, subdivided, turned, two_opt
 from tests.starskel.exact import all_relations, rational, relations
 
 
@@ -58,15 +59,65 @@ def test_both_relations_agree_with_rational_arithmetic(ring):
     np.testing.assert_array_equal(seen.diagonal, diagonal)
 
 
-@pytest.mark.parametrize(("scale", "shift"), [(1e-6, 0.0), (1e6, 0.0), (1.0, 1e6), (0.1, 0.3)])
-def test_diagonals_of_grids_stay_when_scaling_and_shifting_rounds_the_coordinates(scale, shift):
-    for seed in range(4):
-        grid = two_opt(14, seed, 5)
-        ring = grid * scale + shift
+GRIDS = ((9, 3), (14, 4), (14, 5), (16, 4), (24, 5))
+
+
+@pytest.mark.parametrize("scale", [2.0**-20, 2.0**20])
+@pytest.mark.parametrize(("n", "grid"), GRIDS)
+def test_full_grids_agree_with_rational_arithmetic_at_any_size(n, grid, scale):
+    ring = two_opt(n, 7, grid)
+    seen = visibility(triangulate(ring * scale + 2.0**20 * scale))
+    sees, diagonal = all_relations(ring)
+    np.testing.assert_array_equal(seen.sees, sees)
+    np.testing.assert_array_equal(seen.diagonal, diagonal)
+
+
+CHANGES = {
+    "scaled by 1e-6": lambda ring: ring * 1e-6,
+    "scaled by 1e6": lambda ring: ring * 1e6,
+    "shifted by 1e6": lambda ring: ring + 1e6,
+    "scaled and shifted": lambda ring: ring * 0.1 + 0.3,
+    "turned": lambda ring: turned(ring, 0.5),
+    "turned and shifted": lambda ring: turned(ring, 2.0) + 1e6,
+}
+
+
+@pytest.mark.parametrize("change", CHANGES.values(), ids=CHANGES)
+@pytest.mark.parametrize(("n", "grid"), GRIDS)
+def test_diagonals_of_grids_stay_when_the_coordinates_are_rounded(n, grid, change):
+    for seed in range(2):
+        exact = two_opt(n, seed, grid)
+        ring = change(exact)
         seen = visibility(triangulate(ring))
-        np.testing.assert_array_equal(seen.diagonal, all_relations(grid)[1])
+        np.testing.assert_array_equal(seen.diagonal, all_relations(exact)[1])
         if not points_of(ring).rounded.any():  # rational arithmetic on the coordinates would bend the runs
             np.testing.assert_array_equal(seen.sees, all_relations(ring)[0])
+
+
+def test_views_that_are_followed_in_small_handfuls_see_the_same(monkeypatch):
+    for ring in (blob(60, 2), subdivided(comb(4), 3)):
+        ground = triangulate(ring)
+        whole = visibility(ground)
+        with monkeypatch.context() as patch:
+            patch.setattr("starskel.visibility.BLOCK", 16)
+            parts = visibility(ground)
+        np.testing.assert_array_equal(whole.sees, parts.sees)
+        np.testing.assert_array_equal(whole.diagonal, parts.diagonal)
+
+
+def test_it_stops_when_told_to():
+    with pytest.raises(Cancelled):
+        visibility(triangulate(blob(60)), Task(should_stop=lambda: True))
+
+
+def test_triangles_with_corners_inside_the_ring_are_refused():
+    square = points_of(np.array([(0, 0), (2, 0), (2, 2), (0, 2)], dtype=float)).with_free(
+        np.array([(1.0, 1.0)])
+    )
+    triangles = np.array([(0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)])
+    twins = np.array([-1, 5, 10, -1, 8, 1, -1, 11, 4, -1, 2, 7])
+    with pytest.raises(ValueError, match="4 triangles cannot tile a ring of 4 vertices"):
+        visibility(Triangulation(square, np.arange(4), triangles, twins))
 
 
 @pytest.mark.parametrize("angle", [0.1, 1.0, 4.0])

@@ -10,12 +10,14 @@ from typing import NamedTuple
 import numpy as np
 from scipy import sparse
 
-from starskel.certificate import Indices, near_pairs, seen_ends
-from starskel.polar import Complex
-from starskel.predicates import Floats
+from starskel.certificate import near_pairs, seen_ends
+from starskel.predicates import Complex, Floats, Indices
 
 REACH = 0.05
 """The largest distance at which pairs push each other apart, as a part of the size."""
+
+SOON = 3.0
+"""Pairs nearer than this multiple of their reach may get into it while a frame moves."""
 
 SHARE = 0.7
 """The reach of a pair, as a part of its distance in frames that must be met."""
@@ -56,12 +58,12 @@ class Barrier:
         size : float
             The shapes' extent.
         """
-        parts = list(near_pairs(frame, frame, 2 * REACH * size))
+        parts = list(near_pairs(frame, frame, SOON * REACH * size))
         vertex, edge = (np.concatenate([part[k] for part in parts]) for k in (0, 1))
         reach = np.full(len(vertex), REACH * size)
         for other in met:
             reach = np.minimum(reach, SHARE * contacts(other, vertex, edge).distance)
-        soon = contacts(frame, vertex, edge).distance < 2 * reach + REACH * size / 4
+        soon = contacts(frame, vertex, edge).distance < SOON * reach
         return cls(vertex[soon], edge[soon], reach[soon])
 
     def energy(self, frame: Complex) -> float:

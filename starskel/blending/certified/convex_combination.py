@@ -14,9 +14,8 @@ from scipy.sparse.linalg import splu
 
 from starskel.blending.certified.surroundings import SQUARE, Surroundings
 from starskel.blending.mesh import corner_angles
-from starskel.certificate import Indices
-from starskel.polar import Complex, as_points
-from starskel.predicates import Floats
+from starskel.polar import as_points
+from starskel.predicates import Complex, Floats, Indices
 
 _FLATTEST = 1e-6
 """Angles keep so far from 0 and from pi: some triangles have no area, where vertices lie on a line."""

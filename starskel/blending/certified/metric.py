@@ -9,10 +9,9 @@ from scipy.sparse.linalg import splu
 
 from starskel.blending.certified.keys import farthest
 from starskel.blending.fans import fans_of
-from starskel.certificate import Indices
 from starskel.decomposition.pieces import Decomposition
-from starskel.polar import Complex, as_complex
-from starskel.predicates import Floats
+from starskel.polar import as_complex
+from starskel.predicates import Complex, Floats, Indices
 from starskel.task import Task
 
 ON_RING = 3.0

@@ -11,10 +11,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from starskel.certificate import Indices
 from starskel.points import Points, points_of
-from starskel.polar import Complex
-from starskel.predicates import Floats
+from starskel.predicates import Complex, Floats, Indices
 from starskel.triangulation import triangulate
 
 Gate = tuple[int, int]

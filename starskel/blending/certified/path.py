@@ -11,6 +11,7 @@ from starskel.blending.certified.room import KEPT, Room
 from starskel.blending.certified.smoothing import smoothed, thinned
 from starskel.blending.certified.surroundings import surroundings_of
 from starskel.blending.certified.tracking import Pull
+from starskel.certificate import safe
 from starskel.decomposition.pieces import Decomposition
 from starskel.errors import StarskelError
 from starskel.polar import as_complex
@@ -95,28 +96,28 @@ def path(decomposition: Decomposition, guide: Guide, task: Task) -> tuple[Chain,
     metric = metric_of(decomposition, task)
     source, target = decomposition.pair.source, decomposition.pair.target
     ends = as_complex(source), as_complex(target)
-    for number, kept in enumerate((KEPT * metric.size, 0.0)):
-        stretch = task.part(0.4 * number, 0.4 * (number + 1))
-        room = Room(ends, kept)
-        chains = chains_of(source, target, guide, room.links, stretch.part(0, 0.2))
-        if len(chains) == 1:
-            return chains[0], Way.AS_IT_IS
-        keys = Repair(guide, Pull(metric, ends, room.links)).bridged(chains, stretch.part(0.2, 1))
-        if keys is not None:
-            return keys, Way.REPAIRED
+    room = Room(ends, KEPT * metric.size)
+    chains = chains_of(source, target, guide, room.links, task.part(0, 0.1))
+    if len(chains) == 1:
+        return chains[0], Way.AS_IT_IS
+    keys = Repair(guide, Pull(metric, ends, room.links)).bridged(chains, task.part(0.1, 0.7))
+    if keys is not None:
+        return keys, Way.REPAIRED
+    chains = chains_of(source, target, guide, safe, task.part(0.7, 0.8))
+    if len(chains) == 1:
+        return chains[0], Way.AS_IT_IS
     return _by_convex_combination(decomposition, metric, task.part(0.8, 1)), Way.CONVEX
 
 
 def _by_convex_combination(decomposition: Decomposition, metric: Metric, task: Task) -> Chain:
     """Take the frames of a morph that never crosses itself, so densely that all links are safe."""
     pair = decomposition.pair
-    room = Room((), 0.0)
     morph = convex_combination_of(surroundings_of(decomposition, task.part(0, 0.5)), len(pair))
-    chains = chains_of(pair.source, pair.target, morph.frames, room.links, task.part(0.5, 0.8))
+    chains = chains_of(pair.source, pair.target, morph.frames, safe, task.part(0.5, 0.8))
     if len(chains) == 1:
         return chains[0]
     ends = as_complex(pair.source), as_complex(pair.target)
-    keys = Repair(morph.frames, Pull(metric, ends, room.links)).bridged(chains, task.part(0.8, 1))
+    keys = Repair(morph.frames, Pull(metric, ends, safe)).bridged(chains, task.part(0.8, 1))
     if keys is None:
         raise StarskelError(
             "no blend without crossings was found: a shape is all but as narrow as rounding",

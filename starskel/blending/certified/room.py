@@ -7,8 +7,8 @@ import numpy as np
 from starskel.blending.certified.barrier import contacts
 from starskel.certificate import near_pairs, safe
 from starskel.clearance import stay_clear
-from starskel.polar import Complex, as_complex
-from starskel.predicates import Floats
+from starskel.polar import as_complex
+from starskel.predicates import Complex, Floats
 
 KEPT = 1e-3
 """The distance to be kept, as a part of the size."""
@@ -26,7 +26,7 @@ class Room:
     ends : tuple of (n,) complex arrays
         The source and the target.
     kept : float
-        The distance to be kept, in the shapes' units; 0 asks for no more than not to touch.
+        The distance to be kept, in the shapes' units.
     """
 
     ends: tuple[Complex, ...]
@@ -37,8 +37,6 @@ class Room:
         return self._roomy(as_complex(before), as_complex(after)) and safe(before, after)
 
     def _roomy(self, before: Complex, after: Complex) -> bool:
-        if not self.kept:
-            return True
         for vertex, edge in near_pairs(before, after, self.kept):
             floors = np.full(len(vertex), self.kept)
             for end in self.ends:

@@ -12,13 +12,13 @@ import numpy as np
 
 from starskel.blending.certified.passage import Passage, passages
 from starskel.blending.fans import Fans, fans_of
-from starskel.certificate import Indices
 from starskel.correspondence import Correspondence
 from starskel.decomposition import decompose
 from starskel.decomposition.pieces import Decomposition
 from starskel.errors import InvalidPolygon
-from starskel.polar import Complex, as_complex, as_points
+from starskel.polar import as_complex, as_points
 from starskel.polygon import Polygon
+from starskel.predicates import Complex, Indices
 from starskel.task import Task
 
 SQUARE = np.array([2 + 2j, -2 + 2j, -2 - 2j, 2 - 2j])

@@ -15,9 +15,8 @@ from scipy.sparse.linalg import splu
 from starskel.blending.certified.barrier import Barrier
 from starskel.blending.certified.keys import Linked, farthest
 from starskel.blending.certified.metric import Metric
-from starskel.certificate import Indices
-from starskel.polar import Complex, as_complex, as_points
-from starskel.predicates import Floats
+from starskel.polar import as_complex, as_points
+from starskel.predicates import Complex, Floats, Indices
 from starskel.task import Task
 
 PUSH = 1e-3

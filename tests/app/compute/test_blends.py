@@ -1,4 +1,4 @@
-"""The blends of several steps: which are computed, in which order, and which hold."""
+"""What is on the screen of one step and of several, while a gesture is under way and when it ends."""
 
 from collections.abc import Iterator
 
@@ -7,7 +7,9 @@ from pytestqt.qtbot import QtBot
 
 from app.compute import Blends, Failure, Result, Subject
 from starskel import Polygon
+from tests.families import two_opt
 
+CROSSING = Subject(Polygon(two_opt(12, 0)), Polygon(two_opt(12, 1000)), tuple((k, k) for k in range(12)))
 METHODS = ("vertex", "edge-angle")
 SHAPES = tuple(Polygon([(0, 0), (10, 0), (10, 10 + k), (0, 10)]) for k in range(6))
 
@@ -90,3 +92,34 @@ def test_equal_steps_are_computed_once(blends: Blends, computed: list[Subject], 
     blends.show((step(0), step(1), step(0)), 0, METHODS)
     wait(blends, qtbot)
     assert computed[::2] == [step(0), step(1)]
+
+
+def simple(blends: Blends) -> bool:
+    result = blends.results["stitched"].result
+    return result is not None and result.report.simple
+
+
+def test_what_a_gesture_left_unsettled_is_improved_when_it_ends(blends: Blends, qtbot: QtBot) -> None:
+    blends.show((CROSSING,), 0, ("stitched",), live=True)
+    qtbot.waitUntil(lambda: not blends.busy)
+    assert not blends.results["stitched"].stale
+    assert not blends.results["stitched"].settled
+    assert not simple(blends)
+    blends.show((CROSSING,), 0, ("stitched",))
+    assert blends.busy
+    assert not blends.results["stitched"].stale  # the first one stays on the screen meanwhile
+    qtbot.waitUntil(lambda: not blends.busy, timeout=20_000)
+    assert blends.results["stitched"].settled
+    assert simple(blends)
+
+
+def test_what_is_settled_is_not_computed_again(blends: Blends, qtbot: QtBot) -> None:
+    blends.show((CROSSING,), 0, ("stitched",))
+    qtbot.waitUntil(lambda: not blends.busy, timeout=20_000)
+    settled = blends.results["stitched"].result
+    blends.show((CROSSING,), 0, ("stitched",))
+    assert not blends.busy
+    blends.show((None,), 0, ("stitched",))
+    blends.show((CROSSING,), 0, ("stitched",))
+    assert not blends.busy
+    assert blends.results["stitched"].result is settled

@@ -8,6 +8,7 @@ from pytestqt.qtbot import QtBot
 
 from app.compute import Computer, Failure, Request, Result, Subject, job
 from starskel import Cancelled, InvalidPolygon, Polygon, blend
+from tests.families import two_opt
 
 SQUARE = Polygon([(0, 0), (10, 0), (10, 10), (0, 10)])
 REQUEST = Request(Subject(SQUARE, SQUARE), ("vertex", "edge-angle"))
@@ -39,7 +40,7 @@ def slow(monkeypatch: pytest.MonkeyPatch) -> dict[str, threading.Event]:
     """Make every blend wait until it is let go or told to stop."""
     events = {"begun": threading.Event(), "go": threading.Event(), "stopped": threading.Event()}
 
-    def slow_blend(pair, *, method, decomposition, progress, should_stop):  # type: ignore[no-untyped-def]
+    def slow_blend(pair, *, method, should_stop, **rest):  # type: ignore[no-untyped-def]
         events["begun"].set()
         for _ in range(1000):
             if should_stop():
@@ -156,7 +157,7 @@ def test_the_decomposition_is_computed_once_for_all_methods(computer: Computer, 
     seen = Collector(computer)
     computer.request(Request(Subject(SQUARE, SQUARE), ("star-skeleton", "stitched")))
     qtbot.waitUntil(lambda: not computer.busy)
-    first, second = (outcome.blend for outcome in seen.outcomes if isinstance(outcome, Result))
+    first, second, _ = (outcome.blend for outcome in seen.outcomes if isinstance(outcome, Result))
     assert first.decomposition is not None
     assert first.decomposition is second.decomposition
 
@@ -237,3 +238,34 @@ def test_a_new_request_takes_the_place_of_what_was_wanted_later(
     slow["go"].set()
     qtbot.waitUntil(lambda: not computer.busy)
     assert [outcome.method for outcome in seen.outcomes] == ["vertex"]
+
+
+def crossing() -> Subject:
+    """Shapes whose first blend crosses itself, and which settle soon."""
+    return Subject(Polygon(two_opt(12, 0)), Polygon(two_opt(12, 1000)), tuple((k, k) for k in range(12)))
+
+
+def test_the_first_blend_is_shown_at_once_and_better_ones_follow(computer: Computer, qtbot: QtBot) -> None:
+    seen = Collector(computer)
+    computer.request(Request(crossing(), ("vertex", "stitched", "edge-angle")))
+    qtbot.waitUntil(lambda: not computer.busy, timeout=20_000)
+    results = [outcome for outcome in seen.outcomes if isinstance(outcome, Result)]
+    methods = [result.method for result in results]
+    assert methods[:3] == ["vertex", "stitched", "edge-angle"]
+    assert len(methods) > 4
+    assert set(methods[3:]) == {"stitched"}
+    stitched = [results[1], *results[3:]]
+    assert [result.settled for result in stitched] == [False] * (len(stitched) - 1) + [True]
+    assert not stitched[0].report.simple
+    assert stitched[-1].report.simple
+    assert stitched[-1].blend is stitched[-2].blend
+    assert seen.progress == sorted(seen.progress)
+
+
+def test_a_gesture_under_way_shows_the_first_blend_only(computer: Computer, qtbot: QtBot) -> None:
+    seen = Collector(computer)
+    computer.request(Request(crossing(), ("stitched",), live=True))
+    qtbot.waitUntil(lambda: not computer.busy)
+    (outcome,) = seen.outcomes
+    assert isinstance(outcome, Result)
+    assert not outcome.settled

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from app.model.document import Document
+from app.model.document import Document, lost_marks
 from app.model.history import History
 from app.model.sequence import SHORTEST, Sequence
 from starskel.errors import InvalidMarks, StarskelError
@@ -152,3 +152,18 @@ def test_looking_at_another_step_is_no_edit(four: Document) -> None:
     assert seen.document.step == 2
     assert seen.redoes == "Remove mark"
     assert seen.redo().document.step == 1
+
+
+def test_marks_that_go_are_counted_on_the_shapes_that_stay(four: Document) -> None:
+    assert lost_marks(four, four.delete("source", [3])) == 2  # one towards A and one towards C
+    assert lost_marks(four, four.delete_shape(1)) == 2
+    assert lost_marks(four, four.duplicate_shape(1)) == 0
+    assert lost_marks(four, four.unmark(0)) == 0
+    assert lost_marks(four, four.exchanged()) > 0
+
+
+def test_the_shapes_of_a_step_are_exchanged_with_their_marks(four: Document) -> None:
+    exchanged = four.exchanged()
+    assert exchanged.sequence.shapes == (A, C, B, D)
+    assert exchanged.marks == ((1, 0), (4, 3), (7, 6))
+    assert set(four.marked("source")) == {0, 3, 5, 6}

@@ -9,7 +9,9 @@ from app.playback import Repeat
 from app.session import USUAL_METHODS
 from app.view.panels import columns_for
 from starskel.files.examples import example
-from tests.app.driver import LEFT, PLAIN, Driver
+from starskel.files.project import Project
+from starskel.polygon import Polygon
+from tests.app.driver import LEFT, PLAIN, TRIANGLE, Driver
 
 
 @pytest.fixture
@@ -230,15 +232,17 @@ def test_panels_are_laid_out_so_that_frames_are_largest(
     assert columns_for(5, width, height, np.array([(0, 0), extent], dtype=float)) == columns
 
 
-def test_the_grid_follows_the_window(arm: Driver) -> None:
-    shown = set()
-    for size in ((1300, 800), (800, 1000)):
-        arm.window.resize(*size)
-        arm.window.panels.resize(size[0], size[1] // 2)
-        panels = [arm.window.panels.panel(method) for method in USUAL_METHODS]
-        shown.add(len({panel.x() for panel in panels}))
+def test_the_grid_follows_the_shapes(arm: Driver) -> None:
+    shown = []
+    for source, width in ((TRIANGLE, 1.0), (TRIANGLE, 30.0)):
+        shape = Polygon(np.array(source) * (width, 1.0))
+        arm.session.show_project(Project("", (shape, shape)))
+        arm.wait_for_blends()
+        QApplication.processEvents()
+        panels = [arm.window.panels.panel(method) for method in arm.document.methods]
+        shown.append(len({panel.x() for panel in panels}))
         assert all(panel.isVisible() for panel in panels)
-    assert len(shown) == 2
+    assert shown[0] > shown[1]
 
 
 def test_the_skeleton_of_a_single_piece_is_its_origin(driver: Driver) -> None:

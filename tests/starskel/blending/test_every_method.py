@@ -195,7 +195,7 @@ def test_contradictory_calls_are_refused():
 
 
 @given(st.integers(4, 13), st.integers(4, 13), st.integers(0, 60), st.sampled_from(METHODS), st.booleans())
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_any_two_polygons_are_blended(n, m, seed, method, on_grid):
     source, target = two_opt(n, seed, grid=6 * on_grid), two_opt(m, seed + 100, grid=6 * on_grid)
     prepared_blend = blend(source, target, method=method)

@@ -1,0 +1,134 @@
+"""Convex cells of a triangulated ring: the fewer they are, the fewer steps views take through them.
+
+Triangles are joined over diagonals as long as all corners stay convex (Hertel and Mehlhorn 1983, "Fast
+Triangulation of Simple Polygons"), which leaves at most four times as many cells as the fewest possible.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from starskel.predicates import ROUNDING, Floats, Indices
+from starskel.triangulation import Triangulation
+
+
+@dataclass(frozen=True, eq=False)
+class Cells:
+    """The corners of all cells, counter-clockwise, those of each cell listed twice on end.
+
+    So a walk round a cell goes upwards from any of the places in its first round. At a place stands a corner
+    and begins the side to the next corner.
+
+    Attributes
+    ----------
+    corner : (2 h,) array of int
+        The corners as indices of the ring.
+    size : (2 h,) array of int
+        How many corners the cell has.
+    behind : (2 h,) array of int
+        Where in the cell behind the side a walk along all its other sides begins; -1 on the ring.
+    first : (h,) array of int
+        The places of first rounds.
+    of_triangle : (n - 2,) array of int
+        A place in the cell that each triangle is part of.
+    """
+
+    corner: Indices
+    size: Indices
+    behind: Indices
+    first: Indices
+    of_triangle: Indices
+
+
+def cells_of(ground: Triangulation) -> Cells:
+    """Join the triangles of a ring to convex cells.
+
+    Raises
+    ------
+    ValueError
+        If the triangles have corners inside the ring, for views might go round these without end.
+    """
+    if len(ground.triangles) != len(ground.ring) - 2:
+        raise ValueError(
+            f"{len(ground.triangles)} triangles cannot tile a ring of {len(ground.ring)} vertices without "
+            f"corners inside it: give the {len(ground.ring) - 2} triangles of the ring alone"
+        )
+    sides, sizes = _rounds(_following(ground))
+    size = np.repeat(sizes, sizes)
+    place = np.repeat(np.cumsum(sizes) - sizes, sizes) + np.arange(len(sides))
+    at_side = np.full(len(ground.twins) + 1, -2)  # the last is for sides of the ring, whose twin is -1
+    at_side[sides] = place
+    twice = np.concatenate([place, place + size])
+    corner, sized, behind = (np.empty(2 * len(sides), dtype=np.intp) for _ in range(3))
+    corner[twice] = np.tile(ground.triangles.ravel()[sides], 2)
+    sized[twice] = np.tile(size, 2)
+    behind[twice] = np.tile(at_side[ground.twins[sides]] + 1, 2)
+    return Cells(corner, sized, behind, place, _of_triangles(ground, sides, place))
+
+
+def _following(ground: Triangulation) -> list[int]:
+    """Give for each half-edge the next one round its cell; -1 where the half-edge is inside a cell."""
+    twins = ground.twins.tolist()
+    following = [h - h % 3 + (h + 1) % 3 for h in range(len(twins))]
+    before = [h - h % 3 + (h + 2) % 3 for h in range(len(twins))]
+    is_convex = _convexity(ground)
+    for h, twin in enumerate(twins):
+        if h < twin:
+            ends = (h, before[h], following[twin]), (twin, before[twin], following[h])
+            if all(is_convex(out, inward, following[onward]) for out, inward, onward in ends):
+                for _, inward, onward in ends:
+                    following[inward], before[onward] = onward, inward
+                following[h] = following[twin] = -1
+    return following
+
+
+def _convexity(ground: Triangulation) -> Callable[[int, int, int], bool]:
+    """Give a test for the corners of cells, named by half-edges that begin there, before and behind it."""
+    points, ring = ground.points, ground.ring
+    convex = (points.orientation(np.roll(ring, 1), ring, np.roll(ring, -1)) >= 0).tolist()
+    corners = ground.triangles.ravel().tolist()
+    at = ground.vertices.view(np.complex128)[:, 0].tolist()
+    doubtful = doubtful_area(ground.vertices)
+
+    def is_convex(here: int, before: int, behind: int) -> bool:
+        v, a, b = corners[here], corners[before], corners[behind]
+        if convex[v]:  # in the ring, so in all parts of it
+            return True
+        doubled: float = ((at[v] - at[a]).conjugate() * (at[b] - at[v])).imag
+        if abs(doubled) <= doubtful:
+            doubled = points.orientation(*ring[[[a], [v], [b]]]).item()
+        return doubled >= 0
+
+    return is_convex
+
+
+def _rounds(following: list[int]) -> tuple[Indices, Indices]:
+    """Give the half-edges round all cells, one cell after the other, and how many each cell has."""
+    sides: list[int] = []
+    ends = [0]
+    for start in range(len(following)):
+        h = start
+        while following[h] >= 0:
+            sides.append(h)
+            following[h], h = -1, following[h]
+        if len(sides) > ends[-1]:
+            ends.append(len(sides))
+    return np.array(sides), np.diff(ends)
+
+
+def doubtful_area(ring: Floats) -> float:
+    """Give how large doubled areas of triangles within a ring must be for rounding not to turn their sign."""
+    slack = 2 * ROUNDING * float(np.abs(ring).max())  # of two coordinates together
+    return 8 * slack * float(np.hypot(*np.ptp(ring, axis=0)))
+
+
+def _of_triangles(ground: Triangulation, sides: Indices, place: Indices) -> Indices:
+    """Give a place in the cell of each triangle; those without sides take it from triangles beside them."""
+    found = np.full(len(ground.triangles), -1)
+    found[sides // 3] = place
+    around = ground.twins.reshape(-1, 3) // 3
+    while (found < 0).any():
+        inner = np.flatnonzero(found < 0)
+        found[inner] = found[around[inner]].max(axis=1)
+    return found

@@ -1,0 +1,28 @@
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF
+
+from app.view.canvas_notes import CLEARANCE, notice_box
+from tests.families import subdivided
+
+ROOM = QRectF(10, 36, 600, 300)
+CORNERS = np.array([(100.0, 200.0), (300.0, 200.0), (300.0, 300.0), (100.0, 300.0)])
+RING = subdivided(CORNERS, 10)
+
+
+def test_a_notice_is_beside_what_it_is_about() -> None:
+    concerned = [QPointF(100, 200), QPointF(300, 200)]
+    box = notice_box(200, 50, ROOM, concerned, RING)
+    assert ROOM.contains(box)
+    kept = box.adjusted(-CLEARANCE, -CLEARANCE, CLEARANCE, CLEARANCE)
+    assert not any(kept.contains(place) for place in concerned)
+    assert box.center().y() < 200  # above, where it hides nothing of the shape
+    assert abs(box.center().x() - 200) <= 100
+
+
+def test_a_notice_about_nothing_lies_on_the_lower_edge() -> None:
+    assert notice_box(200, 50, ROOM, [], RING).bottom() == ROOM.bottom()
+
+
+def test_a_notice_without_room_lies_on_the_lower_edge() -> None:
+    small = QRectF(0, 0, 210, 60)
+    assert notice_box(200, 50, small, [QPointF(100, 30)], RING).bottom() == small.bottom()
