@@ -18,8 +18,8 @@ from app.tools.draw import DrawTool
 from app.tools.figure import EllipseTool, RectangleTool, RegularPolygonTool, StarTool
 from app.tools.freehand import FreehandTool
 from app.tools.mark import MarkTool
-from app.tools.picture import PictureTool
 from app.tools.marking import replace_marks
+from app.tools.picture import PictureTool
 from app.tools.select import SelectTool
 from app.tools.settings import Settings
 from app.tools.text import TextTool

@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from app.model import marks as pins
-from app.model.marks import SIDES, Marks, Side, other
+from app.model.marks import SIDES, Marks, Side
 from app.model.sequence import USUAL, Sequence, check_step
 from starskel.errors import InvalidPolygon
 from starskel.files.picture import Picture
