@@ -134,8 +134,9 @@ class Blends(QObject):
         found: dict[Subject, Request] = {}
         for step in order[:1] if live else order:
             subject, states = self._subjects[step], self.steps[step]
-            # the simplest method first, so that there is something to see at once
-            methods = tuple(m for m in METHODS if m in states and _is_wanted(m, states[m], live))
+            # the simplest first, so that there is something to see at once; in a gesture there already is
+            known = (m for m in (states if live else METHODS) if m in states)
+            methods = tuple(m for m in known if _is_wanted(m, states[m], live))
             if subject is not None and methods:
                 found.setdefault(subject, Request(subject, methods, live))
         return tuple(found.values())
