@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import numpy as np
 from PySide6.QtCore import QPointF, Qt, Signal, Slot
 from PySide6.QtGui import (
     QDragEnterEvent,
@@ -19,6 +20,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.model.marks import Side
 from app.session import Session
+from app.tools.picture import box_of_picture
 from app.tools.tool import PICK, Key, Pointer
 from app.view import words
 from app.view.camera import Camera
@@ -84,7 +86,7 @@ class Canvas(QWidget):
 
     @Slot()
     def fit(self) -> None:
-        """Show the whole shape; keep it fitted when the window changes, until the user zooms or pans."""
+        """Show the whole shape and its picture; keep it fitted when the window changes, until the user zooms or pans."""
         self._fits = True
         self._aim()
 
@@ -118,7 +120,12 @@ class Canvas(QWidget):
             self._aim()
 
     def _aim(self) -> None:
-        self.camera = self.camera.fitting(self._session.document.vertices(self.side), MARGIN)
+        document = self._session.document
+        extent = document.vertices(self.side)
+        if (picture := document.picture(self.side)) is not None:
+            box = box_of_picture(picture)
+            extent = np.concatenate([extent, [box.low, box.high]])
+        self.camera = self.camera.fitting(extent, MARGIN)
         self.update()
 
     def _look(self, camera: Camera) -> None:

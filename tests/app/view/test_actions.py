@@ -15,7 +15,7 @@ from app.view.commands import COMMANDS, MENUS, TOOLBAR
 from app.view.main_window import MainWindow
 from app.view.theme import DARK, LIGHT, Theme, apply_theme
 
-ASKING = {"quit", "open", "save", "save-as", "export"}
+ASKING = {"quit", "open", "save", "save-as", "export", "picture-open"}
 
 
 def menu_actions(menu: QMenu) -> list[QAction]:
