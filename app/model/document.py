@@ -8,7 +8,7 @@ import numpy as np
 from app.model import marks as pins
 from app.model.marks import Marks, Side
 from starskel.correspondence.marks import Mark, checked_marks
-from starskel.errors import InvalidMarks, InvalidPolygon
+from starskel.errors import InvalidMarks, InvalidPolygon, told
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
 
@@ -44,7 +44,9 @@ class Document:
         if self.source is not None and self.target is not None:
             checked_marks(self.source, self.target, self.marks)
         elif self.marks:
-            raise InvalidMarks("there are marks, but not both shapes", "draw both shapes first", self.marks)
+            raise InvalidMarks(
+                told("there are marks, but not both shapes"), told("draw both shapes first"), self.marks
+            )
 
     def polygon(self, side: Side) -> Polygon | None:
         """Give the shape on this side."""
@@ -113,8 +115,8 @@ class Document:
             return self.draw(side, None)
         if len(ring) < 3:
             raise InvalidPolygon(
-                f"{len(ring)} vertices would be left, and a polygon has at least 3",
-                "select all vertices to delete the whole shape",
+                told("{count} vertices would be left, and a polygon has at least 3", count=len(ring)),
+                told("select all vertices to delete the whole shape"),
                 place=(float(ring[0, 0]), float(ring[0, 1])),
             )
         return self._reshape(side, ring, pins.after_deletion(self.marks, side, vertices))

@@ -8,7 +8,7 @@ import msgspec
 
 from starskel.blending import METHODS
 from starskel.correspondence.marks import Mark
-from starskel.errors import InvalidFile
+from starskel.errors import InvalidFile, told
 from starskel.files.documents import check_format, read_document, write_document
 from starskel.files.shapes import Row, marked_shapes, polygon_of, rows_of
 from starskel.polygon import Polygon
@@ -69,14 +69,23 @@ def read_project(path: Path) -> Project:
     check_format(path, FORMAT)
     _check_version(path)
     document = read_document(path, _Document)
-    source = polygon_of(document.source, f"{path}: source") if document.source is not None else None
-    target = polygon_of(document.target, f"{path}: target") if document.target is not None else None
+    source = (
+        polygon_of(document.source, told("{where}: {what}", where=path, what=told("source")))
+        if document.source is not None
+        else None
+    )
+    target = (
+        polygon_of(document.target, told("{where}: {what}", where=path, what=told("target")))
+        if document.target is not None
+        else None
+    )
     marks: tuple[Mark, ...] = ()
     if source is not None and target is not None:
         source, target, marks = marked_shapes(source, target, document.marks, str(path))
     elif document.marks:
         raise InvalidFile(
-            f"{path} has marks, but not both shapes", "add the missing shape or remove the marks"
+            told("{path} has marks, but not both shapes", path=path),
+            told("add the missing shape or remove the marks"),
         )
     methods = _methods(path, document.methods)
     return Project(document.name, source, target, marks, methods, document.description)
@@ -100,10 +109,16 @@ def write_project(path: Path, project: Project) -> None:
 def _methods(path: Path, names: Sequence[str]) -> tuple[str, ...]:
     for number, name in enumerate(names):
         if name not in METHODS:
-            what = f'{path} shows the method "{name}", which this program does not know'
-            raise InvalidFile(what, "open it with a newer starskel, or name one of " + ", ".join(METHODS))
+            what = told(
+                '{path} shows the method "{name}", which this program does not know', path=path, name=name
+            )
+            raise InvalidFile(
+                what, told("open it with a newer starskel, or name one of {names}", names=", ".join(METHODS))
+            )
         if name in names[:number]:
-            raise InvalidFile(f'{path} shows the method "{name}" twice', "name it once")
+            raise InvalidFile(
+                told('{path} shows the method "{name}" twice', path=path, name=name), told("name it once")
+            )
     return tuple(names)
 
 
@@ -111,8 +126,16 @@ def _check_version(path: Path) -> None:
     version = read_document(path, _Header).version
     if version > VERSION:
         raise InvalidFile(
-            f"{path} is a project of version {version}; this program knows versions up to {VERSION}",
-            "open it with a newer starskel",
+            told(
+                "{path} is a project of version {version}; this program knows versions up to {newest}",
+                path=path,
+                version=version,
+                newest=VERSION,
+            ),
+            told("open it with a newer starskel"),
         )
     if version < 1:
-        raise InvalidFile(f"{path} is a project of version {version}", "versions count from 1")
+        raise InvalidFile(
+            told("{path} is a project of version {version}", path=path, version=version),
+            told("versions count from 1"),
+        )
