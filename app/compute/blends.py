@@ -105,11 +105,13 @@ class Blends(QObject):
     def _wanted(self, live: bool) -> tuple[str, ...]:
         """Give the methods to compute, the simplest first, so that there is something to see at once.
 
+        During a gesture there is something to see, and the methods come in the order in which they are shown.
         What did not settle during a gesture is computed anew when it ends.
         """
         shown = [(method, self.results[method]) for method in METHODS if method in self.results]
         if live:
-            return tuple(method for method, state in shown if state.stale and method not in UNHURRIED)
+            following = (method for method in self.results if method not in UNHURRIED)
+            return tuple(method for method in following if self.results[method].stale)
         return tuple(method for method, state in shown if state.stale or not state.settled)
 
     @Slot(object)

@@ -9,18 +9,28 @@ would ever be finished; so the newest of them waits until the one being worked o
 """
 
 from dataclasses import replace
+from importlib import import_module
 from time import monotonic
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QThread, Signal, Slot
 
-from app.compute.job import Job
+import starskel
 from app.compute.request import Failure, Proposal, Request, Result
 from app.model.marks import Marks
-from starskel import suggest_marks
 from starskel.errors import Cancelled
+
+if TYPE_CHECKING:
+    from app.compute.job import Job
 
 PATIENCE = 0.05
 """Seconds after which a request of a gesture gives way to a newer one, as soon as a method is done."""
+
+
+def _job_class() -> "type[Job]":
+    """Give the class that computes; it is loaded in the worker's thread, so that the window opens sooner."""
+    chosen: type[Job] = import_module("app.compute.job").Job
+    return chosen
 
 
 class Worker(QObject):
@@ -48,7 +58,7 @@ class Worker(QObject):
         def report(method: str, fraction: float) -> None:
             self.progressed.emit(request.generation, method, fraction)
 
-        job = Job(request, is_old, report)
+        job = _job_class()(request, is_old, report)
         left = list(request.methods)
         try:
             while left and not (self.hurried and monotonic() - begun > PATIENCE):
@@ -65,7 +75,9 @@ class Worker(QObject):
             return self.newest != proposal.generation
 
         try:
-            marks = suggest_marks(proposal.source, proposal.target, proposal.count, should_stop=is_old)
+            marks = starskel.suggest_marks(
+                proposal.source, proposal.target, proposal.count, should_stop=is_old
+            )
         except Cancelled:
             return
         self.suggested.emit(proposal.generation, tuple(marks))

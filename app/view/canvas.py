@@ -60,13 +60,21 @@ class Canvas(QWidget):
         self.setAutoFillBackground(False)
         self.setMinimumSize(160, 120)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        for signal in (session.changed, session.pointed_changed, session.results_changed, display.changed):
+        for signal in (session.changed, session.pointed_changed, display.changed):
             signal.connect(self.update)
+        session.results_changed.connect(self._follow_results)
         session.opened.connect(self.fit)
         session.tool_changed.connect(self._show_cursor)
         self._show_cursor()
 
     # what is shown
+
+    @Slot()
+    def _follow_results(self) -> None:
+        """Paint anew where blends are shown here, too: all of them come one after another with every edit."""
+        layers = self._display.layers
+        if layers.pieces or layers.skeleton or self._session.pointed is not None:
+            self.update()
 
     @Slot()
     def fit(self) -> None:

@@ -62,7 +62,8 @@ class Panel(QWidget):
 
     def _show_verdict(self, state: MethodState) -> None:
         text, colour = self._verdict(state)
-        self.verdict.setText(text)
+        if text != self.verdict.text():  # or the whole window would be laid out anew
+            self.verdict.setText(text)
         self.verdict.setToolTip(self._tip(state))
         palette = QPalette(self.palette())
         palette.setColor(QPalette.ColorRole.WindowText, QColor(colour))

@@ -64,6 +64,7 @@ class StripChart(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setMouseTracking(True)
         session.results_changed.connect(self._follow)
+        session.document_changed.connect(self.updateGeometry)
         player.t_changed.connect(self.update)
 
     def sizeHint(self) -> QSize:
@@ -90,7 +91,6 @@ class StripChart(QWidget):
     @Slot()
     def _follow(self) -> None:
         self._curves_image = None
-        self.updateGeometry()
         self.update()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
