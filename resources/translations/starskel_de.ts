@@ -2,11 +2,342 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
-    <name>Canvas</name>
+    <name></name>
     <message>
-        <source>%n vertices</source>
+        <source>{name} ends in &quot;{ending}&quot;</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>end it in {endings}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are marks, but not both shapes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>draw both shapes first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} vertices would be left, and a polygon has at least 3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>select all vertices to delete the whole shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the SVG declares entities</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>save it as plain SVG</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the SVG is damaged: {error}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>copy it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no outline on the clipboard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>copy a shape here, or a path in another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no blend without crossings was found: a shape is all but as narrow as rounding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>widen its narrowest parts, or add marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the edge from vertex {i} at ({x:g}, {y:g}) is too short for new vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>remove that vertex or mark more correspondences nearby</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the marks are not pairs of vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give each mark as (vertex of the source, vertex of the target), counted from 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mark {number} names vertex {vertex} of the {name}, which has {count}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a vertex from 0 to {last}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>marks {earlier} and {number} both name vertex {vertex} of the {name}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>remove one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>marks {first} {a} and {second} {b} come in one order round the source and in the other round the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>remove or move one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{where}: {what}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{first} or {second}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be read: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give the path of a readable file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is no path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a folder that exists and may be written to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be written: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a folder, or a place where one may be made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be made a folder: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has the format &quot;{found}&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} does not name its format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a file of the format {names}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>correct the file at this place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is damaged: {error}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>take an undamaged copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has no pair &quot;{name}&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: pair &quot;{name}&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>source (p)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>target (q)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose one of {names}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} holds no pair</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a file with at least one pair</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has two pairs &quot;{name}&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rename one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has marks, but not both shapes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add the missing shape or remove the marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} shows the method &quot;{name}&quot;, which this program does not know</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open it with a newer starskel, or name one of {names}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} shows the method &quot;{name}&quot; twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name it once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is a project of version {version}; this program knows versions up to {newest}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open it with a newer starskel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is a project of version {version}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>versions count from 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points are not numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give rows of x and y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a polygon of {count} points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give at least 3 vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertex {i} is at ({x:g}, {y:g})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give finite coordinates below {largest:g}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all points are the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give at least 3 different vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertices {i} and {j} are both at ({x:g}, {y:g})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all vertices lie on one line: the area is zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move a vertex off the line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>edges {first} and {second} cross or touch at ({x:g}, {y:g})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move or remove one of these vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertex {i} all but touches edge {edge} at ({x:g}, {y:g})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move it away from the edge, or move the shape nearer to the coordinates&apos; origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the polygon all but touches itself near vertex {i}, at ({x:g}, {y:g})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move this vertex, or those next to it, apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Canvas</name>
     <message>
         <source>Draw the source shape here</source>
         <translation type="unfinished"></translation>
@@ -239,6 +570,30 @@
     </message>
     <message>
         <source>Light writing on dark ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language of the &amp;System</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speak the language of the system, from the next start on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;English</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speak English, from the next start on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Deutsch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speak German, from the next start on</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -496,6 +851,23 @@
     <message>
         <source>Let the vertices count from the selected one on; it is drawn filled</source>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Counts</name>
+    <message numerus="yes">
+        <source>%n vertices</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marks went with this edit. Undo brings them back.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -787,6 +1159,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The language changes with the next start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>&amp;Undo</source>
         <translation type="unfinished"></translation>
     </message>
@@ -895,13 +1271,6 @@
     </message>
     <message>
         <source>certified</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>News</name>
-    <message>
-        <source>%n marks went with this edit. Undo brings them back.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1321,13 +1690,6 @@
     <message>
         <source>{pixels} px</source>
         <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n vertices</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
     </message>
 </context>
 <context>

@@ -2,12 +2,19 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>TolerancePage</name>
+    <name>Counts</name>
     <message numerus="yes">
         <source>%n vertices</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n vertex</numerusform>
+            <numerusform>%n vertices</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marks went with this edit. Undo brings them back.</source>
+        <translation>
+            <numerusform>%n mark went with this edit. Undo brings it back.</numerusform>
+            <numerusform>%n marks went with this edit. Undo brings them back.</numerusform>
         </translation>
     </message>
 </context>
