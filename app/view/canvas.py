@@ -86,7 +86,7 @@ class Canvas(QWidget):
 
     @Slot()
     def fit(self) -> None:
-        """Show the whole shape and its picture; keep it fitted when the window changes, until the user zooms or pans."""
+        """Show the whole shape and its picture; keep them fitted until the user zooms or pans."""
         self._fits = True
         self._aim()
 

@@ -23,6 +23,7 @@ from app.session import Session
 from app.tools.picture import fade_picture
 from app.tools.settings import Settings
 from app.view.actions import Actions
+from app.view.counts import COUNTS
 from app.view.lettering import lettering
 
 FINEST, COARSEST = 0.5, 40.0
@@ -142,7 +143,7 @@ class TolerancePage(Page):
     def _show_count(self) -> None:
         session = self.session
         count = len(session.document.vertices(session.selection.side))
-        self._count.setText(self.tr("%n vertices", "", count) if count else "")
+        self._count.setText(COUNTS.vertices(count) if count else "")
 
 
 class PicturePage(Page):

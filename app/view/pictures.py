@@ -6,7 +6,7 @@ from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMimeData, QSize, Qt
 from PySide6.QtGui import QImage, QImageReader, QImageWriter
 
 from app.view.camera import Camera
-from starskel.errors import InvalidFile
+from starskel.errors import InvalidFile, told
 from starskel.files.picture import Picture
 
 LARGEST = 2048
@@ -38,7 +38,8 @@ def picture_of(content: bytes, camera: Camera) -> Picture:
     )
     image = reader.read()
     if image.isNull():
-        raise InvalidFile("this is no picture, or of a kind that is not known here", "save it as PNG or JPEG")
+        what = told("this is no picture, or of a kind that is not known here")
+        raise InvalidFile(what, told("save it as PNG or JPEG"))
     if max(image.width(), image.height()) > LARGEST:
         image = image.scaled(
             QSize(LARGEST, LARGEST),
