@@ -86,7 +86,8 @@ class Worker(QObject):
 class Computer(QObject):
     """The window's end of the worker: sends requests, passes on what still matters."""
 
-    delivered = Signal(object)
+    delivered = Signal(object, object)
+    """What was blended, and the Result or Failure of one method."""
     progressed = Signal(str, float)
     busy_changed = Signal(bool)
     suggested = Signal(object)
@@ -98,6 +99,7 @@ class Computer(QObject):
         self.busy = False
         self._running: Request | None = None
         self._waiting: Request | None = None
+        self._later: list[Request] = []
         self._worker = Worker()
         self._thread = QThread(self)
         self._worker.moveToThread(self._thread)
@@ -114,8 +116,12 @@ class Computer(QObject):
         """Whether what is being computed has been overtaken by a newer request, which waits."""
         return self._waiting is not None
 
-    def request(self, request: Request) -> None:
-        """Compute this instead of what is being computed; that of a gesture may first finish its method."""
+    def request(self, request: Request, *later: Request) -> None:
+        """Compute this instead of what is being computed; that of a gesture may first finish its method.
+
+        What is wanted later is computed in order when there is nothing else to do.
+        """
+        self._later = list(later)
         if request.live and self._running is not None and self._running.live:
             self._waiting = request
             self._worker.hurried = True
@@ -148,12 +154,13 @@ class Computer(QObject):
 
     def _rest(self) -> None:
         self._running = self._waiting = None
+        self._later = []
         self._set_busy(False)
 
     @Slot(int, object)
     def _deliver(self, generation: int, outcome: Result | Failure) -> None:
-        if generation == self._worker.newest:
-            self.delivered.emit(outcome)
+        if generation == self._worker.newest and self._running is not None:
+            self.delivered.emit(self._running.subject, outcome)
 
     @Slot(int, object)
     def _suggest(self, generation: int, marks: Marks) -> None:
@@ -171,7 +178,10 @@ class Computer(QObject):
         """Go on with the request that waits; the methods that gave way to it are first in turn."""
         if generation != self._worker.newest:
             return
-        if self._waiting is None:
+        if self._waiting is None and self._later:
+            following, *self._later = self._later
+            self._send(following)
+        elif self._waiting is None:
             self._rest()
         else:
             others = tuple(method for method in self._waiting.methods if method not in left)

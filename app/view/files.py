@@ -124,8 +124,7 @@ class Files(QObject):
             accepted = dialog.exec() == QDialog.DialogCode.Accepted
             chosen = dialog.chosen if accepted else None
         if chosen is not None:
-            pair = file.pair(chosen)
-            self._session.show_project(Project(pair.id, pair.source, pair.target, pair.marks))
+            self._session.show_project(Project.of(file.pair(chosen)))
 
     def _save(self, path: Path) -> bool:
         try:

@@ -211,7 +211,7 @@ def test_a_fault_is_told_with_status_2_and_nothing_is_written(capsys, words, mes
         (
             '{"format": "starskel-project", "version": 1, "name": "", "source": [[0, 0], [1, 0], [0, 1]],'
             ' "target": null, "marks": [], "methods": []}',
-            "bad.json has no target yet; draw both shapes",
+            "bad.json: bad has no shape B yet; draw it",
         ),
     ],
 )

@@ -236,7 +236,7 @@ def test_the_grid_follows_the_shapes(arm: Driver) -> None:
     shown = []
     for source, width in ((TRIANGLE, 1.0), (TRIANGLE, 30.0)):
         shape = Polygon(np.array(source) * (width, 1.0))
-        arm.session.show_project(Project("", shape, shape, ()))
+        arm.session.show_project(Project("", (shape, shape)))
         arm.wait_for_blends()
         QApplication.processEvents()
         panels = [arm.window.panels.panel(method) for method in arm.document.methods]
