@@ -9,7 +9,7 @@ import numpy as np
 from app.model import marks as pins
 from app.model.marks import Marks, Side
 from app.model.sequence import USUAL, Sequence, check_step
-from starskel.errors import InvalidPolygon
+from starskel.errors import InvalidPolygon, told
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
 
@@ -228,8 +228,8 @@ class Document:
             return self.draw(side, None)
         if len(ring) < 3:
             raise InvalidPolygon(
-                f"{len(ring)} vertices would be left, and a polygon has at least 3",
-                "select all vertices to delete the whole shape",
+                told("{count} vertices would be left, and a polygon has at least 3", count=len(ring)),
+                told("select all vertices to delete the whole shape"),
                 place=(float(ring[0, 0]), float(ring[0, 1])),
             )
         return self._reshape(side, ring, pins.after_deletion(vertices))

@@ -7,7 +7,7 @@ from itertools import accumulate, pairwise
 from app.model import marks as pins
 from app.model.marks import Marks
 from starskel.correspondence.marks import checked_marks
-from starskel.errors import InvalidMarks, StarskelError
+from starskel.errors import InvalidMarks, StarskelError, told
 from starskel.polygon import Polygon
 
 USUAL = 1.0
@@ -37,7 +37,9 @@ class Sequence:
 
     def __post_init__(self) -> None:
         if len(self.shapes) < 2:
-            raise StarskelError("one shape alone has nothing to become", "keep two shapes at least")
+            raise StarskelError(
+                told("one shape alone has nothing to become"), told("keep two shapes at least")
+            )
         for step, (source, target) in enumerate(pairwise(self.shapes)):
             check_step(source, target, self.marks[step])
 
@@ -127,7 +129,9 @@ class Sequence:
         durations = list(self.durations)
         rest = durations[shape] + durations[shape - 1] - duration if shape < self.steps else USUAL
         if not shape or min(duration, rest) < SHORTEST:
-            raise StarskelError("a shape stays behind the one before it and before the next", "move it less")
+            raise StarskelError(
+                told("a shape stays behind the one before it and before the next"), told("move it less")
+            )
         durations[shape - 1] = duration
         if shape < self.steps:
             durations[shape] = rest
@@ -144,4 +148,6 @@ def check_step(source: Polygon | None, target: Polygon | None, marks: Marks) -> 
     if source is not None and target is not None:
         checked_marks(source, target, marks)
     elif marks:
-        raise InvalidMarks("there are marks, but not both shapes", "draw both shapes first", marks)
+        raise InvalidMarks(
+            told("there are marks, but not both shapes"), told("draw both shapes first"), marks
+        )

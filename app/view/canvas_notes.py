@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QFont, QPainter
 
 from app.model.marks import Side
 from app.view import words
+from app.view.counts import COUNTS
 from app.view.drawing import pen
 from app.view.pins import cross_at
 from app.view.theme import Theme
@@ -42,7 +43,7 @@ def paint_caption(painter: QPainter, theme: Theme, side: Side, count: int) -> No
         shift = painter.fontMetrics().horizontalAdvance(name)
         painter.setFont(_sized(painter.font(), 9.0))
         painter.setPen(QColor(theme.muted))
-        painter.drawText(QPointF(39 + shift, 22), translate("Canvas", "%n vertices", "", count))
+        painter.drawText(QPointF(39 + shift, 22), COUNTS.vertices(count))
 
 
 def paint_invitation(painter: QPainter, theme: Theme, frame: QRectF, side: Side, drawing: bool) -> None:

@@ -12,6 +12,7 @@ from app.view import words
 from app.view.camera import Camera
 from app.view.canvas_gesture import GesturePainter, square
 from app.view.canvas_notes import paint_caption, paint_invitation, paint_news, paint_notice
+from app.view.counts import COUNTS
 from app.view.display import Layers
 from app.view.drawing import faded, lines_of, pen, point_of, polygon_of
 from app.view.frame_layers import paint_numbers, paint_way
@@ -71,7 +72,7 @@ class CanvasPainter:
         self._paint_words()
         self._paint_refusal()
         if self._session.lost and self._side == self._session.selection.side:
-            text = words.lost_marks(self._session.lost)
+            text = COUNTS.lost_marks(self._session.lost)
             paint_news(self._painter, self._theme, self._frame(), text)
 
     def _frame(self) -> QRectF:

@@ -173,6 +173,30 @@ COMMANDS = (
         True,
     ),
     Command(
+        "language-system",
+        QT_TRANSLATE_NOOP("Command", "Language of the &System"),
+        QT_TRANSLATE_NOOP("Command", "Speak the language of the system, from the next start on"),
+        (),
+        "language",
+        True,
+    ),
+    Command(
+        "language-en",
+        QT_TRANSLATE_NOOP("Command", "&English"),
+        QT_TRANSLATE_NOOP("Command", "Speak English, from the next start on"),
+        (),
+        "language",
+        True,
+    ),
+    Command(
+        "language-de",
+        QT_TRANSLATE_NOOP("Command", "&Deutsch"),
+        QT_TRANSLATE_NOOP("Command", "Speak German, from the next start on"),
+        (),
+        "language",
+        True,
+    ),
+    Command(
         "play", QT_TRANSLATE_NOOP("Command", "&Play"), QT_TRANSLATE_NOOP("Command", "Play or pause"), ("P",)
     ),
     Command(
@@ -221,6 +245,8 @@ def _names(commands: tuple[Command, ...]) -> tuple[str, ...]:
 PALETTE = (*_names(drawing_commands.TOOLS), "mark")
 """The tools, in the order of the bar at the left."""
 
+LANGUAGES = ("language-system", "language-en", "language-de")
+
 MENUS = (
     (
         QT_TRANSLATE_NOOP("Command", "&File"),
@@ -265,6 +291,8 @@ MENUS = (
             "",
             "light",
             "dark",
+            "",
+            *LANGUAGES,
         ),
     ),
 )

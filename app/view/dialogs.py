@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.view import words
 from starskel.errors import StarskelError
 
 translate = QCoreApplication.translate
@@ -97,8 +98,7 @@ def complain(parent: QWidget, heading: str, error: StarskelError) -> None:
     box.setWindowTitle(translate("Dialogs", "Not possible"))
     box.setTextFormat(Qt.TextFormat.PlainText)
     box.setText(heading)
-    sentences = [text[:1].upper() + text[1:] + "." for text in (error.what, error.mend) if text]
-    box.setInformativeText("\n\n".join(sentences))
+    box.setInformativeText(words.sentences(error, "\n\n"))
     box.exec()
 
 

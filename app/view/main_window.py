@@ -10,10 +10,10 @@ from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QSplitter,
 from app.model.marks import SIDES, Side, other
 from app.session import Session
 from app.tools.tool import Key
-from app.view import words
+from app.view import language, words
 from app.view.actions import Actions
 from app.view.canvas import NOTCH, Canvas
-from app.view.commands import PALETTE
+from app.view.commands import LANGUAGES, PALETTE
 from app.view.display import Display, Layers
 from app.view.edits import Edits
 from app.view.files import Files
@@ -61,6 +61,7 @@ class MainWindow(QMainWindow):
         self.marks = MarksPanel(session)
         self._marks_dock = self._dock(self.marks)
         self.setStatusBar(Status(session, self.actions_table))
+        self.actions_table[f"language-{language.chosen()}"].setChecked(True)
         self.resize(QSize(1280, 860).boundedTo(self.screen().availableSize()))
         self.canvases["source"].setFocus()
         self._examples.triggered.connect(self._open_example)
@@ -130,6 +131,7 @@ class MainWindow(QMainWindow):
             **dict.fromkeys(LAYERS, self._switch_display),
             "light": self._choose_theme,
             "dark": self._choose_theme,
+            **dict.fromkeys(LANGUAGES, self._choose_language),
             "play": player.toggle,
             "to-start": player.to_start,
             "to-end": player.to_end,
@@ -199,6 +201,11 @@ class MainWindow(QMainWindow):
     @Slot()
     def _choose_theme(self) -> None:
         self._apply(DARK if self.actions_table["dark"].isChecked() else LIGHT)
+
+    @Slot()
+    def _choose_language(self) -> None:
+        language.choose(self.sender().objectName().removeprefix("language-"))
+        self.statusBar().showMessage(self.tr("The language changes with the next start."), 8000)
 
     @Slot(QAction)
     def _open_example(self, action: QAction) -> None:

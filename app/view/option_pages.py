@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QFontComboBox, QHBoxLayout, QLabel, QLineEdit, QSl
 
 from app.session import Session
 from app.tools.settings import Settings
+from app.view.counts import COUNTS
 from app.view.lettering import lettering
 
 FINEST, COARSEST = 0.5, 40.0
@@ -125,7 +126,7 @@ class TolerancePage(Page):
     def _show_count(self) -> None:
         session = self.session
         count = len(session.document.vertices(session.selection.side))
-        self._count.setText(self.tr("%n vertices", "", count) if count else "")
+        self._count.setText(COUNTS.vertices(count) if count else "")
 
 
 class TextPage(Page):

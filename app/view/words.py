@@ -5,7 +5,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 from app.model.document import Document
 from app.model.marks import Side, witness
 from starskel.correspondence.marks import Mark
-from starskel.errors import InvalidMarks, InvalidPolygon, StarskelError
+from starskel.errors import InvalidMarks, InvalidPolygon, StarskelError, Told
 
 translate = QCoreApplication.translate
 
@@ -43,11 +43,6 @@ def catch(kind: str, angle: int) -> str:
     }[kind]
 
 
-def lost_marks(count: int) -> str:
-    """Say that an edit took marks away."""
-    return translate("News", "%n marks went with this edit. Undo brings them back.", "", count)
-
-
 def method(name: str) -> str:
     """Give the name of a blending method."""
     return translate("Method", name)
@@ -78,7 +73,20 @@ def reason(error: Exception, document: Document) -> str:
     if not isinstance(error, StarskelError):
         text = translate("Refusal", "A fault in the program, not in your shapes: {kind}: {error}")
         return text.format(kind=type(error).__name__, error=error)
-    return str(error)
+    return sentences(error, " ")
+
+
+def sentences(error: StarskelError, between: str) -> str:
+    """Give what is wrong and how to mend it, a sentence each."""
+    return between.join(_capitalised(retold(text)) + "." for text in (error.what, error.mend) if text)
+
+
+def retold(text: object) -> object:
+    """Give a text of the library in the user's language, as far as it remembers its template."""
+    if not isinstance(text, Told):
+        return text
+    values = {name: retold(value) for name, value in text.values.items()}
+    return translate("", text.template).format(**values)
 
 
 def _marks_reason(first: Mark, second: Mark, document: Document) -> str:
@@ -111,5 +119,6 @@ def _named(pair: Mark, document: Document) -> str:
     return translate("Refusal", "the new mark {label}").format(label=mark(len(document.marks)))
 
 
-def _capitalised(text: str) -> str:
+def _capitalised(text: object) -> str:
+    text = str(text)
     return text[:1].upper() + text[1:]

@@ -15,6 +15,8 @@ from app.view.commands import COMMANDS, MENUS, TOOLBAR
 from app.view.main_window import MainWindow
 from app.view.theme import DARK, LIGHT, Theme, apply_theme
 
+SUBMENUS = {"methods", "layers"}
+
 ASKING = {"quit", "open", "save", "save-as", "export"}
 
 
@@ -30,8 +32,7 @@ def test_every_command_is_in_exactly_one_menu(window: MainWindow) -> None:
     shown = [name for _, names in MENUS for name in names if name]
     for command in COMMANDS:
         assert shown.count(command.name) == 1
-    menus_in_the_toolbar = {"methods", "layers"}
-    assert {name for name in TOOLBAR if name} - menus_in_the_toolbar <= {command.name for command in COMMANDS}
+    assert {name for name in TOOLBAR if name} - SUBMENUS <= {command.name for command in COMMANDS}
     in_menus = [a for top in window.menuBar().actions() for a in menu_actions(top.menu())]
     for command in COMMANDS:
         assert window.actions_table[command.name] in in_menus
