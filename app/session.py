@@ -19,6 +19,7 @@ from app.tools.figure import EllipseTool, RectangleTool, RegularPolygonTool, Sta
 from app.tools.freehand import FreehandTool
 from app.tools.mark import MarkTool
 from app.tools.marking import replace_marks
+from app.tools.picture import PictureTool
 from app.tools.select import SelectTool
 from app.tools.settings import Settings
 from app.tools.text import TextTool
@@ -37,6 +38,7 @@ TOOLS: dict[str, type[Tool]] = {
         RegularPolygonTool,
         StarTool,
         TextTool,
+        PictureTool,
         MarkTool,
     )
 }

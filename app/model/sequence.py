@@ -8,6 +8,7 @@ from app.model import marks as pins
 from app.model.marks import Marks
 from starskel.correspondence.marks import checked_marks
 from starskel.errors import InvalidMarks, StarskelError, told
+from starskel.files.picture import Picture
 from starskel.polygon import Polygon
 
 USUAL = 1.0
@@ -29,17 +30,22 @@ class Sequence:
         For each step a vertex of its source, a vertex of its target.
     durations : tuple of float
         For each step how long it takes.
+    pictures : tuple of Picture or None
+        For each shape what is behind it; given empty, there is none at all.
     """
 
     shapes: tuple[Polygon | None, ...] = (None, None)
     marks: tuple[Marks, ...] = ((),)
     durations: tuple[float, ...] = (USUAL,)
+    pictures: tuple[Picture | None, ...] = ()
 
     def __post_init__(self) -> None:
         if len(self.shapes) < 2:
             raise StarskelError(
                 told("one shape alone has nothing to become"), told("keep two shapes at least")
             )
+        if not self.pictures:
+            object.__setattr__(self, "pictures", (None,) * len(self.shapes))
         for step, (source, target) in enumerate(pairwise(self.shapes)):
             check_step(source, target, self.marks[step])
 
@@ -95,7 +101,8 @@ class Sequence:
         """
         shapes = tuple(None if k is None else self.shapes[k] for k in order)
         marks = tuple(() if a is None or b is None else self.marks_between(a, b) for a, b in pairwise(order))
-        return Sequence(shapes, marks, tuple(durations))
+        pictures = tuple(None if k is None else self.pictures[k] for k in order)
+        return Sequence(shapes, marks, tuple(durations), pictures)
 
     def added(self, after: int) -> "Sequence":
         """Put an empty shape behind another; the step to it is of usual length."""

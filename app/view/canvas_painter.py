@@ -7,6 +7,7 @@ from PySide6.QtGui import QColor, QPainter, QPalette
 from app.model.document import Point
 from app.model.marks import Side, end, mark_at
 from app.session import Session
+from app.tools.picture import box_of_picture
 from app.tools.tool import Overlay
 from app.view import words
 from app.view.camera import Camera
@@ -16,6 +17,7 @@ from app.view.counts import COUNTS
 from app.view.display import Layers
 from app.view.drawing import faded, lines_of, pen, point_of, polygon_of
 from app.view.frame_layers import paint_numbers, paint_way
+from app.view.pictures import image_of
 from app.view.pins import Pin, cross_at, outward, paint_pins
 from app.view.structure import paint_cut
 from app.view.theme import theme_of
@@ -59,6 +61,7 @@ class CanvasPainter:
     def paint(self) -> None:
         """Paint everything, from the ground up."""
         self._painter.fillRect(self._frame(), QColor(self._theme.base))
+        self._paint_picture()
         self._paint_grid()
         self._painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._paint_shape()
@@ -77,6 +80,18 @@ class CanvasPainter:
 
     def _frame(self) -> QRectF:
         return QRectF(0, 0, self._camera.width, self._camera.height)
+
+    def _paint_picture(self) -> None:
+        picture = self._overlay.picture or self._session.document.picture(self._side)
+        if picture is None:
+            return
+        box = box_of_picture(picture)
+        self._painter.save()
+        self._painter.setOpacity(picture.opacity)
+        self._painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        frame = QRectF(self._on_screen(box.low), self._on_screen(box.high)).normalized()
+        self._painter.drawImage(frame, image_of(picture.content))
+        self._painter.restore()
 
     def _paint_grid(self) -> None:
         """Show the grid where it catches the pointer; where its lines would run together, every fifth."""

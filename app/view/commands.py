@@ -76,6 +76,7 @@ COMMANDS = (
     *drawing_commands.SNAPPING,
     *drawing_commands.CLIPBOARD,
     *drawing_commands.SHAPE,
+    *drawing_commands.PICTURE,
     Command(
         "mark",
         QT_TRANSLATE_NOOP("Command", "&Mark"),
@@ -256,7 +257,10 @@ MENUS = (
         QT_TRANSLATE_NOOP("Command", "&Edit"),
         ("undo", "redo", "", *_names(drawing_commands.CLIPBOARD), "", "select-all", "delete", "", "cancel"),
     ),
-    (QT_TRANSLATE_NOOP("Command", "&Shape"), _names(drawing_commands.SHAPE)),
+    (
+        QT_TRANSLATE_NOOP("Command", "&Shape"),
+        (*_names(drawing_commands.SHAPE), "", *_names(drawing_commands.PICTURE)),
+    ),
     (
         QT_TRANSLATE_NOOP("Command", "&Tools"),
         (*PALETTE, "", "suggest", "marks", "", *_names(drawing_commands.SNAPPING)),

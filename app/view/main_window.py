@@ -12,6 +12,7 @@ from app.session import Session
 from app.tools.tool import Key
 from app.view import language, words
 from app.view.actions import Actions
+from app.view.backgrounds import Backgrounds
 from app.view.canvas import NOTCH, Canvas
 from app.view.commands import LANGUAGES, PALETTE
 from app.view.display import Display, Layers
@@ -44,6 +45,7 @@ class MainWindow(QMainWindow):
         self.files = Files(self, session, self.player, self.display)
         self.canvases: dict[Side, Canvas] = {side: Canvas(session, side, self.display) for side in SIDES}
         self.edits = Edits(self, session, self.canvases)
+        self.backgrounds = Backgrounds(self, session, self.canvases)
         self.actions_table = Actions(self, self._handlers())
         self.panels = Panels(session, self.player, self.display)
         self.timeline = Timeline(session, self.player, self.actions_table)
@@ -56,6 +58,7 @@ class MainWindow(QMainWindow):
         self.addToolBarBreak()
         self.options = OptionsBar(session, self.actions_table)
         self.addToolBar(self.options)
+        self.options.left.connect(self._focus_canvas)
         self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, tool_palette(self.actions_table))
         self.setCentralWidget(self._body())
         self.marks = MarksPanel(session)
@@ -121,6 +124,7 @@ class MainWindow(QMainWindow):
             "delete": self._delete,
             "cancel": session.cancel,
             **self.edits.handlers(),
+            **self.backgrounds.handlers(),
             **dict.fromkeys(PALETTE, self._choose_tool),
             **dict.fromkeys(SWITCHES, self._switch_snapping),
             "suggest": self._suggest_marks,
@@ -146,6 +150,10 @@ class MainWindow(QMainWindow):
         self.session.choose_tool(self.sender().objectName())
 
     @Slot()
+    def _focus_canvas(self) -> None:
+        self.canvases[self.session.selection.side].setFocus()
+
+    @Slot()
     def _switch_snapping(self) -> None:
         self.options.switch()
 
@@ -157,7 +165,7 @@ class MainWindow(QMainWindow):
 
     @Slot()
     def _delete(self) -> None:
-        if not self.session.tool.busy:
+        if not self.session.tool.busy and self.session.tool.name != "picture":
             self.session.choose_tool("select")  # what is selected can be deleted whatever the tool in hand
         self.session.key(Key("delete"))
 
@@ -238,7 +246,9 @@ class MainWindow(QMainWindow):
 
     @Slot()
     def _follow_selection(self) -> None:
-        self.actions_table["delete"].setEnabled(bool(self.session.selection) or self.session.tool.busy)
+        session = self.session
+        placing = session.tool.name == "picture"  # then the picture can be deleted
+        self.actions_table["delete"].setEnabled(bool(session.selection) or session.tool.busy or placing)
 
     @Slot()
     def _follow_tool(self) -> None:

@@ -14,6 +14,9 @@ from app.view.steering import Steering
 from app.view.theme import theme_of
 from starskel.predicates import Floats
 
+HEADING = 20
+"""Height of the line with the method's name, in pixels."""
+
 
 class Panel(QWidget):
     """One of the methods side by side."""
@@ -44,6 +47,7 @@ class Panel(QWidget):
     def _heading(self) -> QHBoxLayout:
         row = QHBoxLayout()
         row.setContentsMargins(0, 0, 0, 0)
+        self._name.setFixedHeight(HEADING)  # so that frames stand in line whatever else there is in a heading
         row.addWidget(self._name, 1)
         if self.method == STEERED:
             row.addWidget(Steering(self._session))
