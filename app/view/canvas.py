@@ -233,7 +233,7 @@ class Canvas(QWidget):
     def _show_cursor(self) -> None:
         if self._space:
             self.setCursor(Qt.CursorShape.OpenHandCursor)
-        elif self._session.tool.name == "draw":
+        elif self._session.tool.name not in ("select", "mark", "picture"):
             self.setCursor(Qt.CursorShape.CrossCursor)
         else:
             self.setCursor(Qt.CursorShape.ArrowCursor)

@@ -56,7 +56,7 @@ def paint_invitation(painter: QPainter, theme: Theme, frame: QRectF, side: Side,
     how = (
         translate("Canvas", "Click to set each vertex; click the first one again to close.")
         if drawing
-        else translate("Canvas", "Press D for the drawing tool, or Ctrl+O to open a file.")
+        else translate("Canvas", "Take a tool from the left, drop a picture to draw over, or open a file.")
     )
     painter.setPen(QColor(theme.text))
     painter.setFont(_sized(painter.font(), 13.0, bold=True))

@@ -29,6 +29,9 @@ CROWDED = 7.0
 DIAMOND = (QPointF(0, -8), QPointF(8, 0), QPointF(0, 8), QPointF(-8, 0))
 
 
+MANY = 30
+"""Selected vertices are drawn smaller from so many on."""
+
 CLOSEST = 8.0
 """Lines of the grid are no nearer to each other than so many pixels."""
 
@@ -157,10 +160,12 @@ class CanvasPainter:
 
     def _paint_selection(self) -> None:
         """Show what is selected, and what a press would take; above the pins, which may stand there too."""
+        selected = () if self._is_replaced() else self._session.selection.on(self._side)
         self._painter.setPen(pen(self._theme.base, 1.0))
         self._painter.setBrush(QColor(self._theme.accent))
-        for vertex in self._session.selection.on(self._side):
-            self._painter.drawRect(square(self._screen[vertex], 4.5))
+        half = 4.5 if len(selected) < MANY else 3.0
+        for vertex in selected:
+            self._painter.drawRect(square(self._screen[vertex], half))
         self._painter.setBrush(Qt.BrushStyle.NoBrush)
         self._painter.setPen(pen(self._theme.accent, 2.0))
         if self._overlay.vertex is not None:

@@ -69,9 +69,9 @@ class Page(QWidget):
         self._row.setContentsMargins(0, 0, 0, 0)
         self._row.setSpacing(6)
         self._followers: list[Callable[[Settings], None]] = []
+        self._row.addStretch(1)
         for field in fields:
             self._add_field(field)
-        self._row.addStretch(1)
 
     def follow(self) -> None:
         """Show the settings as they are."""
@@ -204,9 +204,11 @@ class TextPage(Page):
         self._font.currentFontChanged.connect(self._set_letters)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Make the outlines when they are first needed: fonts take a moment to load."""
+        """Be ready for typing; the outlines are made only now, for fonts take a moment to load."""
         if not self.session.settings.lettering.rings:
             self._set_letters()
+        self._text.setFocus()
+        self._text.selectAll()
 
     @Slot()
     def _set_letters(self) -> None:

@@ -105,7 +105,8 @@ class OptionsBar(QToolBar):
         tool = self._session.tool
         name = tool.options or tool.name
         self._stack.setCurrentWidget(self.pages.get(name, self.pages[""]))
-        self.name.setText(self._actions[tool.name].text().replace("&", ""))
+        said = self._actions[name if name in self._actions else tool.name]
+        self.name.setText(said.text().replace("&", "").replace("…", ""))
 
     @Slot()
     def _follow_settings(self) -> None:
