@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QLabel
 
 from app.playback import Repeat
 from app.session import USUAL_METHODS
+from app.view.fitting_label import FittingLabel
 from app.view.panels import columns_for
 from starskel.files.examples import example
 from starskel.files.project import Project
