@@ -7,7 +7,8 @@ from itertools import accumulate, pairwise
 from app.model import marks as pins
 from app.model.marks import Marks
 from starskel.correspondence.marks import checked_marks
-from starskel.errors import InvalidMarks, StarskelError
+from starskel.errors import InvalidMarks, StarskelError, told
+from starskel.files.picture import Picture
 from starskel.polygon import Polygon
 
 USUAL = 1.0
@@ -29,15 +30,22 @@ class Sequence:
         For each step a vertex of its source, a vertex of its target.
     durations : tuple of float
         For each step how long it takes.
+    pictures : tuple of Picture or None
+        For each shape what is behind it; given empty, there is none at all.
     """
 
     shapes: tuple[Polygon | None, ...] = (None, None)
     marks: tuple[Marks, ...] = ((),)
     durations: tuple[float, ...] = (USUAL,)
+    pictures: tuple[Picture | None, ...] = ()
 
     def __post_init__(self) -> None:
         if len(self.shapes) < 2:
-            raise StarskelError("one shape alone has nothing to become", "keep two shapes at least")
+            raise StarskelError(
+                told("one shape alone has nothing to become"), told("keep two shapes at least")
+            )
+        if not self.pictures:
+            object.__setattr__(self, "pictures", (None,) * len(self.shapes))
         for step, (source, target) in enumerate(pairwise(self.shapes)):
             check_step(source, target, self.marks[step])
 
@@ -82,7 +90,8 @@ class Sequence:
         """
         shapes = tuple(None if k is None else self.shapes[k] for k in order)
         marks = tuple(() if a is None or b is None else self.marks_between(a, b) for a, b in pairwise(order))
-        return Sequence(shapes, marks, tuple(durations))
+        pictures = tuple(None if k is None else self.pictures[k] for k in order)
+        return Sequence(shapes, marks, tuple(durations), pictures)
 
     def added(self, after: int) -> "Sequence":
         """Put an empty shape behind another; the step to it is of usual length."""
@@ -112,7 +121,7 @@ class Sequence:
             If it is shorter than `SHORTEST`.
         """
         if duration < SHORTEST:
-            raise StarskelError(f"a step of length {duration} is over at once", f"take {SHORTEST} at least")
+            raise StarskelError(told("a step this short cannot be seen"), told("let it last longer"))
         return replace(self, durations=(*self.durations[:step], duration, *self.durations[step + 1 :]))
 
     def _longer(self, after: int, shape: int | None) -> "Sequence":
@@ -126,4 +135,6 @@ def check_step(source: Polygon | None, target: Polygon | None, marks: Marks) -> 
     if source is not None and target is not None:
         checked_marks(source, target, marks)
     elif marks:
-        raise InvalidMarks("there are marks, but not both shapes", "draw both shapes first", marks)
+        raise InvalidMarks(
+            told("there are marks, but not both shapes"), told("draw both shapes first"), marks
+        )

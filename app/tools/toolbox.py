@@ -4,6 +4,7 @@ from app.tools.draw import DrawTool
 from app.tools.figure import EllipseTool, RectangleTool, RegularPolygonTool, StarTool
 from app.tools.freehand import FreehandTool
 from app.tools.mark import MarkTool
+from app.tools.picture import PictureTool
 from app.tools.select import SelectTool
 from app.tools.text import TextTool
 from app.tools.tool import Tool
@@ -19,6 +20,7 @@ TOOLS: dict[str, type[Tool]] = {
         RegularPolygonTool,
         StarTool,
         TextTool,
+        PictureTool,
         MarkTool,
     )
 }

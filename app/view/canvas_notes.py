@@ -7,6 +7,7 @@ from PySide6.QtCore import QCoreApplication, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter
 
 from app.model.marks import Side
+from app.view.counts import COUNTS
 from app.view.drawing import pen
 from app.view.pins import cross_at
 from app.view.theme import Theme
@@ -40,7 +41,7 @@ def paint_caption(painter: QPainter, theme: Theme, side: Side, name: str, count:
         shift = painter.fontMetrics().horizontalAdvance(name)
         painter.setFont(_sized(painter.font(), 9.0))
         painter.setPen(QColor(theme.muted))
-        painter.drawText(QPointF(39 + shift, 22), translate("Canvas", "%n vertices", "", count))
+        painter.drawText(QPointF(39 + shift, 22), COUNTS.vertices(count))
 
 
 def paint_invitation(painter: QPainter, theme: Theme, frame: QRectF, heading: str, drawing: bool) -> None:
@@ -48,7 +49,7 @@ def paint_invitation(painter: QPainter, theme: Theme, frame: QRectF, heading: st
     how = (
         translate("Canvas", "Click to set each vertex; click the first one again to close.")
         if drawing
-        else translate("Canvas", "Press D for the drawing tool, or Ctrl+O to open a file.")
+        else translate("Canvas", "Take a tool from the left, drop a picture to draw over, or open a file.")
     )
     painter.setPen(QColor(theme.text))
     painter.setFont(_sized(painter.font(), 13.0, bold=True))

@@ -77,6 +77,7 @@ COMMANDS = (
     *drawing_commands.CLIPBOARD,
     *drawing_commands.SHAPE,
     *sequence_commands.SEQUENCE,
+    *drawing_commands.PICTURE,
     Command(
         "mark",
         QT_TRANSLATE_NOOP("Command", "&Mark"),
@@ -174,6 +175,30 @@ COMMANDS = (
         True,
     ),
     Command(
+        "language-system",
+        QT_TRANSLATE_NOOP("Command", "Language of the &System"),
+        QT_TRANSLATE_NOOP("Command", "Speak the language of the system, from the next start on"),
+        (),
+        "language",
+        True,
+    ),
+    Command(
+        "language-en",
+        QT_TRANSLATE_NOOP("Command", "&English"),
+        QT_TRANSLATE_NOOP("Command", "Speak English, from the next start on"),
+        (),
+        "language",
+        True,
+    ),
+    Command(
+        "language-de",
+        QT_TRANSLATE_NOOP("Command", "&Deutsch"),
+        QT_TRANSLATE_NOOP("Command", "Speak German, from the next start on"),
+        (),
+        "language",
+        True,
+    ),
+    Command(
         "play", QT_TRANSLATE_NOOP("Command", "&Play"), QT_TRANSLATE_NOOP("Command", "Play or pause"), ("P",)
     ),
     Command(
@@ -222,6 +247,8 @@ def _names(commands: tuple[Command, ...]) -> tuple[str, ...]:
 PALETTE = (*_names(drawing_commands.TOOLS), "mark")
 """The tools, in the order of the bar at the left."""
 
+LANGUAGES = ("language-system", "language-en", "language-de")
+
 MENUS = (
     (
         QT_TRANSLATE_NOOP("Command", "&File"),
@@ -231,7 +258,10 @@ MENUS = (
         QT_TRANSLATE_NOOP("Command", "&Edit"),
         ("undo", "redo", "", *_names(drawing_commands.CLIPBOARD), "", "select-all", "delete", "", "cancel"),
     ),
-    (QT_TRANSLATE_NOOP("Command", "&Shape"), _names(drawing_commands.SHAPE)),
+    (
+        QT_TRANSLATE_NOOP("Command", "&Shape"),
+        (*_names(drawing_commands.SHAPE), "", *_names(drawing_commands.PICTURE)),
+    ),
     (
         QT_TRANSLATE_NOOP("Command", "Se&quence"),
         (
@@ -273,6 +303,8 @@ MENUS = (
             "",
             "light",
             "dark",
+            "",
+            *LANGUAGES,
         ),
     ),
 )

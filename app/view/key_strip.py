@@ -8,6 +8,7 @@ from app.model.sequence import Sequence
 from app.session import Session
 from app.view import words
 from app.view.actions import Actions
+from app.view.counts import COUNTS
 from app.view.drawing import painting
 from app.view.player import Player
 from app.view.sequence_commands import SEQUENCE
@@ -172,12 +173,12 @@ class KeyStrip(QWidget):
         sequence, shape, step = self._sequence, self.places.tile_at(place), self.places.step_at(place)
         if shape is not None:
             polygon = sequence.shapes[shape]
-            size = self.tr("%n vertices", "", len(polygon)) if polygon is not None else self.tr("empty")
+            size = COUNTS.vertices(len(polygon)) if polygon is not None else self.tr("empty")
             text = self.tr("Shape {letter}, {size}. Drag it to move it to another place.")
             return text.format(letter=letter(shape), size=size)
         if step is not None:
             text = self.tr("{letters}, {marks}. Click to show them on the canvases.")
-            marks = self.tr("%n marks", "", len(sequence.marks[step]))
+            marks = COUNTS.marks(len(sequence.marks[step]))
             return text.format(letters=words.step_letters(step), marks=marks)
         return self.tr("Add a shape") if self.places.addition.contains(place) else ""
 

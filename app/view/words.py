@@ -1,11 +1,11 @@
 """What the program says about the names and errors that the layers without Qt use."""
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLocale
 
 from app.model.document import Document
 from app.model.marks import Side, witness
 from starskel.correspondence.marks import Mark
-from starskel.errors import InvalidMarks, InvalidPolygon, StarskelError
+from starskel.errors import InvalidMarks, InvalidPolygon, StarskelError, Told
 from starskel.files.project import letter
 
 translate = QCoreApplication.translate
@@ -21,6 +21,12 @@ _METHODS = (
     QT_TRANSLATE_NOOP("Method", "rigid"),
     QT_TRANSLATE_NOOP("Method", "certified"),
 )
+
+
+def figure(text: str) -> str:
+    """Write numbers as the user's language does; where it has a decimal comma, lists need another sign."""
+    point = QLocale().decimalPoint()
+    return text if point == "." else text.replace("...", "…").replace(", ", "; ").replace(".", point)
 
 
 def step(name: str) -> str:
@@ -42,11 +48,6 @@ def catch(kind: str, angle: int) -> str:
         "angle": translate("Catch", "{angle}°").format(angle=angle),
         "grid": translate("Catch", "grid"),
     }[kind]
-
-
-def lost_marks(count: int) -> str:
-    """Say that an edit took marks away."""
-    return translate("News", "%n marks went with this edit. Undo brings them back.", "", count)
 
 
 def method(name: str) -> str:
@@ -107,7 +108,20 @@ def reason(error: Exception, document: Document) -> str:
     if not isinstance(error, StarskelError):
         text = translate("Refusal", "A fault in the program, not in your shapes: {kind}: {error}")
         return text.format(kind=type(error).__name__, error=error)
-    return str(error)
+    return sentences(error, " ")
+
+
+def sentences(error: StarskelError, between: str) -> str:
+    """Give what is wrong and how to mend it, a sentence each."""
+    return between.join(_capitalised(retold(text)) + "." for text in (error.what, error.mend) if text)
+
+
+def retold(text: object) -> object:
+    """Give a text of the library in the user's language, as far as it remembers its template."""
+    if not isinstance(text, Told):
+        return text
+    values = {name: retold(value) for name, value in text.values.items()}
+    return translate("", text.template).format(**values)
 
 
 def _marks_reason(first: Mark, second: Mark, document: Document) -> str:
@@ -140,5 +154,6 @@ def _named(pair: Mark, document: Document) -> str:
     return translate("Refusal", "the new mark {label}").format(label=mark(len(document.marks)))
 
 
-def _capitalised(text: str) -> str:
+def _capitalised(text: object) -> str:
+    text = str(text)
     return text[:1].upper() + text[1:]

@@ -5,12 +5,10 @@ rounds every Steiner vertex tries places round its own, in the source or in the 
 that is best for the worst of its pieces there. A move is made only if exact predicates prove all its pieces.
 """
 
-from itertools import pairwise
-
 import numpy as np
 
 from starskel.decomposition.kernel import star_points
-from starskel.decomposition.minimal import Piece
+from starskel.decomposition.pieces import Piece, edges_of
 from starskel.decomposition.tiling import Tiling
 from starskel.outline import edge_lengths
 from starskel.points import Points
@@ -80,7 +78,7 @@ def _better(points: Points, vertex: int, pieces: list[Piece], stride: float) -> 
 
 def _places(points: Points, vertex: int, pieces: list[Piece], stride: float) -> Floats:
     """Give the places round a vertex, the first towards its first neighbour: so they turn with the shape."""
-    edges = [edge for piece in pieces for edge in pairwise((*piece, piece[0])) if vertex in edge]
+    edges = [edge for piece in pieces for edge in edges_of(piece) if vertex in edge]
     neighbours = sorted({v for edge in edges for v in edge} - {vertex})
     ways = (points.coordinates[neighbours] - points.coordinates[vertex]).view(np.complex128)[:, 0]
     step = stride * np.abs(ways).mean() * np.sign(ways[0])

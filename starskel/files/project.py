@@ -10,9 +10,10 @@ import msgspec
 
 from starskel.blending import METHODS
 from starskel.correspondence.marks import Mark
-from starskel.errors import InvalidFile
+from starskel.errors import InvalidFile, told
 from starskel.files.documents import check_format, read_document, write_document
 from starskel.files.pairs import ShapePair
+from starskel.files.picture import Picture
 from starskel.files.shapes import Row, marked_shapes, polygon_of, rows_of
 from starskel.polygon import Polygon
 
@@ -56,6 +57,7 @@ class _Document(msgspec.Struct, frozen=True):
     steps: list[_Step]
     methods: list[str]
     description: str = ""
+    pictures: list[Picture | None] = []  # for each shape; files without any may leave it out
 
 
 @dataclass(frozen=True)
@@ -90,6 +92,8 @@ class Project:
         The blending methods shown, in order.
     description : str
         A sentence about it; empty where nobody wrote one.
+    pictures : tuple of Picture or None
+        For each shape what is behind it; empty where there is none at all.
     """
 
     name: str
@@ -97,6 +101,7 @@ class Project:
     steps: tuple[Step, ...] = (Step(),)
     methods: tuple[str, ...] = ()
     description: str = ""
+    pictures: tuple[Picture | None, ...] = ()
 
     @classmethod
     def of(cls, pair: ShapePair) -> "Project":
@@ -114,8 +119,12 @@ class Project:
         source, target = self.shapes[step : step + 2]
         if source is None or target is None:
             raise InvalidFile(
-                f"{self.name} has no shape {letter(step if source is None else step + 1)} yet",
-                "draw it in the editor and save",
+                told(
+                    "{name} has no shape {letter} yet",
+                    name=self.name,
+                    letter=letter(step if source is None else step + 1),
+                ),
+                told("draw it in the editor and save"),
             )
         marks = self.steps[step].marks
         return ShapePair(self.step_name(step), source, target, marks, description=self.description)
@@ -148,7 +157,9 @@ def read_project(path: Path) -> Project:
     document = _read(path)
     _check_counts(path, document)
     shapes = tuple(
-        None if rows is None else polygon_of(rows, f"{path}: shape {letter(number)}")
+        None
+        if rows is None
+        else polygon_of(rows, told("{path}: shape {letter}", path=path, letter=letter(number)))
         for number, rows in enumerate(document.shapes)
     )
     steps = tuple(
@@ -157,7 +168,8 @@ def read_project(path: Path) -> Project:
     )
     # the polygons as if they had been given counter-clockwise, as their marks are
     own = tuple(None if shape is None else Polygon(shape.vertices) for shape in shapes)
-    return Project(document.name, own, steps, _methods(path, document.methods), document.description)
+    methods, pictures = _methods(path, document.methods), tuple(document.pictures)
+    return Project(document.name, own, steps, methods, document.description, pictures)
 
 
 def write_project(path: Path, project: Project) -> None:
@@ -171,18 +183,28 @@ def write_project(path: Path, project: Project) -> None:
     shapes = [None if shape is None else rows_of(shape) for shape in project.shapes]
     steps = [_Step(step.duration, list(step.marks)) for step in project.steps]
     methods, description = list(project.methods), project.description
-    write_document(path, _Document(FORMAT, VERSION, project.name, shapes, steps, methods, description))
+    pictures = list(project.pictures) if any(project.pictures) else []
+    document = _Document(FORMAT, VERSION, project.name, shapes, steps, methods, description, pictures)
+    write_document(path, document)
 
 
 def _read(path: Path) -> _Document:
     version = read_document(path, _Header).version
     if version > VERSION:
         raise InvalidFile(
-            f"{path} is a project of version {version}; this program knows versions up to {VERSION}",
-            "open it with a newer starskel",
+            told(
+                "{path} is a project of version {version}; this program knows versions up to {newest}",
+                path=path,
+                version=version,
+                newest=VERSION,
+            ),
+            told("open it with a newer starskel"),
         )
     if version < 1:
-        raise InvalidFile(f"{path} is a project of version {version}", "versions count from 1")
+        raise InvalidFile(
+            told("{path} is a project of version {version}", path=path, version=version),
+            told("versions count from 1"),
+        )
     return read_document(path, _FirstDocument).updated() if version == 1 else read_document(path, _Document)
 
 
@@ -190,28 +212,47 @@ def _check_counts(path: Path, document: _Document) -> None:
     shapes, steps = len(document.shapes), len(document.steps)
     if shapes < 2 or steps != shapes - 1:
         raise InvalidFile(
-            f"{path} has {shapes} shapes and {steps} steps",
-            "give two shapes at least, and a step from each to the next",
+            told("{path} has {shapes} shapes and {steps} steps", path=path, shapes=shapes, steps=steps),
+            told("give two shapes at least, and a step from each to the next"),
+        )
+    if document.pictures and len(document.pictures) != shapes:
+        raise InvalidFile(
+            told(
+                "{path} has {pictures} pictures for {shapes} shapes",
+                path=path,
+                pictures=len(document.pictures),
+                shapes=shapes,
+            ),
+            told("give one for each shape, null where there is none"),
         )
 
 
 def _marks(
     path: Path, shapes: tuple[Polygon | None, Polygon | None], step: _Step, number: int
 ) -> tuple[Mark, ...]:
-    where = f"{path}: step {letter(number)}-{letter(number + 1)}"
+    where = told("{path}: step {first}-{last}", path=path, first=letter(number), last=letter(number + 1))
     source, target = shapes
     if source is not None and target is not None:
         return marked_shapes(source, target, step.marks, where)[2]
     if step.marks:
-        raise InvalidFile(f"{where} has marks, but not both shapes", "add the shape or remove the marks")
+        raise InvalidFile(
+            told("{where} has marks, but not both shapes", where=where),
+            told("add the shape or remove the marks"),
+        )
     return ()
 
 
 def _methods(path: Path, names: Sequence[str]) -> tuple[str, ...]:
     for number, name in enumerate(names):
         if name not in METHODS:
-            what = f'{path} shows the method "{name}", which this program does not know'
-            raise InvalidFile(what, "open it with a newer starskel, or name one of " + ", ".join(METHODS))
+            what = told(
+                '{path} shows the method "{name}", which this program does not know', path=path, name=name
+            )
+            raise InvalidFile(
+                what, told("open it with a newer starskel, or name one of {names}", names=", ".join(METHODS))
+            )
         if name in names[:number]:
-            raise InvalidFile(f'{path} shows the method "{name}" twice', "name it once")
+            raise InvalidFile(
+                told('{path} shows the method "{name}" twice', path=path, name=name), told("name it once")
+            )
     return tuple(names)

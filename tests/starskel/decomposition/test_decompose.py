@@ -6,8 +6,8 @@ import pytest
 from starskel.correspondence import Correspondence, match
 from starskel.decomposition import Decomposition, decompose
 from starskel.decomposition.ladder import by_fan, climb
-from starskel.decomposition.minimal import Piece
 from starskel.decomposition.overlay import crossings, overlay
+from starskel.decomposition.pieces import Piece
 from starskel.decomposition.reduce import union
 from starskel.decomposition.tiling import Tiling
 from starskel.decomposition.verify import faults
