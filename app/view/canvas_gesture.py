@@ -45,7 +45,7 @@ class GesturePainter:
             self._paint_catch(overlay.catch)
         if overlay.readout is not None:
             place, text = overlay.readout
-            self._write(self._place(place) + QPointF(14, 26), text)
+            self._write(self._place(place) + QPointF(14, 26), words.figure(text))
 
     def _place(self, point: Point) -> QPointF:
         return point_of(self._camera.to_screen(np.array(point)))

@@ -25,6 +25,7 @@ from app.tools.settings import Settings
 from app.view.actions import Actions
 from app.view.counts import COUNTS
 from app.view.lettering import lettering
+from app.view.words import figure
 
 FINEST, COARSEST = 0.5, 40.0
 """Ends of the slider for the tolerance, in pixels; it grows by the same factor from step to step."""
@@ -137,7 +138,7 @@ class TolerancePage(Page):
     def _show(self, settings: Settings) -> None:
         step = STEPS * log(settings.tolerance / FINEST) / log(COARSEST / FINEST)
         self._slider.setValue(round(step))
-        self._figure.setText(self.tr("{pixels} px").format(pixels=f"{settings.tolerance:.1f}"))
+        self._figure.setText(self.tr("{pixels} px").format(pixels=figure(f"{settings.tolerance:.1f}")))
 
     @Slot()
     def _show_count(self) -> None:

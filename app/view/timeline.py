@@ -22,6 +22,7 @@ from app.view.player import Player
 from app.view.strip_chart import StripChart, method_pen
 from app.view.theme import theme_of
 from app.view.time_slider import TimeSlider
+from starskel.blending import METHODS
 
 SPEEDS = (0.25, 0.5, 1.0, 2.0, 4.0)
 
@@ -125,7 +126,8 @@ class Legend(QWidget):
         session.document_changed.connect(self.update)
 
     def sizeHint(self) -> QSize:
-        return QSize(self.fontMetrics().horizontalAdvance("star-skeleton") + 60, 40)
+        names = [self.tr("Area drift"), self.tr("Length drift"), *(words.method(name) for name in METHODS)]
+        return QSize(max(self.fontMetrics().horizontalAdvance(name) for name in names) + 60, 40)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         with painting(self) as painter:

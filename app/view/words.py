@@ -1,6 +1,6 @@
 """What the program says about the names and errors that the layers without Qt use."""
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLocale
 
 from app.model.document import Document
 from app.model.marks import Side, witness
@@ -20,6 +20,12 @@ _METHODS = (
     QT_TRANSLATE_NOOP("Method", "rigid"),
     QT_TRANSLATE_NOOP("Method", "certified"),
 )
+
+
+def figure(text: str) -> str:
+    """Write numbers as the user's language does; where it has a decimal comma, lists need another sign."""
+    point = QLocale().decimalPoint()
+    return text if point == "." else text.replace("...", "…").replace(", ", "; ").replace(".", point)
 
 
 def step(name: str) -> str:
