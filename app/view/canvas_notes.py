@@ -73,10 +73,10 @@ def paint_notice(  # noqa: PLR0913, PLR0917 -- what it says, and what it must no
     painter.drawText(box.adjusted(32, 0, -10, 0), NOTICE_FLAGS, text)
 
 
-def paint_news(painter: QPainter, theme: Theme, frame: QRectF, text: str) -> None:
-    """Write what an edit brought with it, on the lower edge."""
+def paint_news(painter: QPainter, theme: Theme, frame: QRectF, text: str, clear: list[QPointF]) -> None:
+    """Write what an edit brought with it, near to places that stay clear where there is room."""
     size = _notice_size(painter, frame, text)
-    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET))
+    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET), clear)
     _paint_plate(painter, theme, box, theme.accent)
     painter.setPen(QColor(theme.text))
     painter.drawText(box.adjusted(32, 0, -10, 0), NOTICE_FLAGS, text)

@@ -79,7 +79,8 @@ class CanvasPainter:
         self._paint_refusal()
         if self._session.lost and self._side == self._session.selection.side:
             text = COUNTS.lost_marks(self._session.lost)
-            paint_news(self._painter, self._theme, self._frame(), text)
+            shape = [point_of(place) for place in self._screen[:: len(self._screen) // MANY + 1]]
+            paint_news(self._painter, self._theme, self._frame(), text, shape)
 
     def _frame(self) -> QRectF:
         return QRectF(0, 0, self._camera.width, self._camera.height)

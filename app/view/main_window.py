@@ -248,7 +248,8 @@ class MainWindow(QMainWindow):
             ("redo", self.tr("&Redo"), session.redoes),
         ):
             actions[name].setEnabled(edit is not None)
-            actions[name].setText(f"{label} {words.step(edit)}" if edit else label)
+            whole = self.tr("{command} {step}").format(command=label, step=words.step(edit or ""))
+            actions[name].setText(whole if edit else label)
             actions[name].setIconText(label.replace("&", ""))
         if session.tool.busy:  # then undo takes back a part of the gesture
             actions["undo"].setEnabled(True)

@@ -26,7 +26,10 @@ _METHODS = (
 def figure(text: str) -> str:
     """Write numbers as the user's language does; where it has a decimal comma, lists need another sign."""
     point = QLocale().decimalPoint()
-    return text if point == "." else text.replace("...", "…").replace(", ", "; ").replace(".", point)
+    if point == ".":
+        return text
+    text = "0" + text if text.startswith(".") else text
+    return text.replace("...", "…").replace(", ", "; ").replace(".", point)
 
 
 def step(name: str) -> str:

@@ -1,12 +1,12 @@
 import numpy as np
 import pytest
-from PySide6.QtCore import QMimeData, Qt
+from PySide6.QtCore import QMimeData, QPoint, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QSlider, QSpinBox
 
 from app.model.marks import Side
-from tests.app.driver import CONTROL, SHIFT, SQUARE, TRIANGLE, Driver
+from tests.app.driver import CONTROL, LEFT, PLAIN, SHIFT, SQUARE, TRIANGLE, Driver
 
 FLAG = ((10, 10), (90, 10), (90, 60), (50, 40), (10, 60))
 
@@ -14,7 +14,8 @@ FLAG = ((10, 10), (90, 10), (90, 60), (50, 40), (10, 60))
 def aside(driver: Driver, side: Side = "source") -> None:
     """Click beside the shape."""
     canvas = driver.window.canvases[side]
-    driver.click(side, canvas.camera.to_document(25, canvas.height() - 15))
+    corner = canvas.mapTo(driver.window, QPoint(25, canvas.height() - 15))
+    QTest.mouseClick(driver.window.windowHandle(), LEFT, PLAIN, corner)
 
 
 @pytest.fixture
