@@ -161,15 +161,15 @@ class Document:
         step = to if self.shape_on("source") == shape else to - 1
         return self.arranged(self.sequence.moved(shape, to), min(max(step, 0), self.sequence.steps - 1))
 
-    def set_duration(self, shape: int, duration: float) -> "Document":
-        """Let a shape be reached so long after the one before it; the next one keeps its time.
+    def set_duration(self, step: int, duration: float) -> "Document":
+        """Let a step take so long.
 
         Raises
         ------
         StarskelError
-            If the first is moved, or one past its neighbour.
+            If that is too short to be seen.
         """
-        return self.arranged(self.sequence.timed(shape, duration), self.step)
+        return self.arranged(self.sequence.timed(step, duration), self.step)
 
     # the two shapes on the canvases
 

@@ -66,17 +66,6 @@ class Sequence:
         ends = tuple(accumulate(self.durations, initial=0.0))
         return tuple(end / ends[-1] for end in ends)
 
-    def moment(self, t: float) -> tuple[int, float]:
-        """Give the step in which a time of the whole sequence lies, and the t of that step."""
-        times = self.times
-        step = max(k for k in range(self.steps) if times[k] <= t or not k)
-        return step, min((t - times[step]) / (times[step + 1] - times[step]), 1.0)
-
-    def time_of(self, step: int, t: float) -> float:
-        """Give the time of the whole sequence at which this step is at its t."""
-        start, end = self.times[step : step + 2]
-        return start + t * (end - start) if t < 1 else end
-
     def marks_between(self, first: int, second: int) -> Marks:
         """Give the marks that lead from any shape to any other, by way of those between them.
 
@@ -123,26 +112,17 @@ class Sequence:
         order = [k for k in range(len(self.shapes)) if k != shape]
         return self.arranged([*order[:to], shape, *order[to:]], self.durations)
 
-    def timed(self, shape: int, duration: float) -> "Sequence":
-        """Let a shape be reached so long after the one before it.
-
-        The shape after it keeps its time; behind the last the whole becomes longer or shorter.
+    def timed(self, step: int, duration: float) -> "Sequence":
+        """Let a step take so long; what follows it comes sooner or later.
 
         Raises
         ------
         StarskelError
-            If the first is moved, or a step would become shorter than `SHORTEST`.
+            If it is shorter than `SHORTEST`.
         """
-        durations = list(self.durations)
-        rest = durations[shape] + durations[shape - 1] - duration if shape < self.steps else USUAL
-        if not shape or min(duration, rest) < SHORTEST:
-            raise StarskelError(
-                told("a shape stays behind the one before it and before the next"), told("move it less")
-            )
-        durations[shape - 1] = duration
-        if shape < self.steps:
-            durations[shape] = rest
-        return replace(self, durations=tuple(durations))
+        if duration < SHORTEST:
+            raise StarskelError(told("a step this short cannot be seen"), told("let it last longer"))
+        return replace(self, durations=(*self.durations[:step], duration, *self.durations[step + 1 :]))
 
     def _longer(self, after: int, shape: int | None) -> "Sequence":
         order: list[int | None] = list(range(len(self.shapes)))

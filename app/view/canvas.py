@@ -72,6 +72,7 @@ class Canvas(QWidget):
             signal.connect(self.update)
         session.results_changed.connect(self._follow_results)
         session.opened.connect(self.fit)
+        session.step_changed.connect(self.fit)
         session.tool_changed.connect(self._show_cursor)
         self._show_cursor()
 

@@ -7,7 +7,6 @@ from PySide6.QtCore import QCoreApplication, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter
 
 from app.model.marks import Side
-from app.view import words
 from app.view.counts import COUNTS
 from app.view.drawing import pen
 from app.view.pins import cross_at
@@ -30,14 +29,13 @@ CLEARANCE = 24.0
 """Pixels between a notice and what it is about."""
 
 
-def paint_caption(painter: QPainter, theme: Theme, side: Side, count: int) -> None:
+def paint_caption(painter: QPainter, theme: Theme, side: Side, name: str, count: int) -> None:
     """Write the name of the canvas in its upper left corner, with a dot in the shape's colour."""
     painter.setFont(_sized(painter.font(), 10.0, bold=True))
     painter.setPen(theme.side(side))
     painter.setBrush(theme.side(side))
     painter.drawEllipse(QPointF(17, 18), 4.5, 4.5)
     painter.setPen(QColor(theme.text))
-    name = words.side(side)
     painter.drawText(QPointF(29, 22), name)
     if count:
         shift = painter.fontMetrics().horizontalAdvance(name)
@@ -46,13 +44,8 @@ def paint_caption(painter: QPainter, theme: Theme, side: Side, count: int) -> No
         painter.drawText(QPointF(39 + shift, 22), COUNTS.vertices(count))
 
 
-def paint_invitation(painter: QPainter, theme: Theme, frame: QRectF, side: Side, drawing: bool) -> None:
+def paint_invitation(painter: QPainter, theme: Theme, frame: QRectF, heading: str, drawing: bool) -> None:
     """Say in an empty canvas how to begin; `drawing` tells whether the drawing tool is in hand."""
-    heading = (
-        translate("Canvas", "Draw the source shape here")
-        if side == "source"
-        else translate("Canvas", "Draw the target shape here")
-    )
     how = (
         translate("Canvas", "Click to set each vertex; click the first one again to close.")
         if drawing

@@ -247,8 +247,11 @@ class CanvasPainter:
     # words
 
     def _paint_words(self) -> None:
-        paint_caption(self._painter, self._theme, self._side, len(self._ring))
+        document = self._session.document
+        name = words.canvas(document, self._side)
+        paint_caption(self._painter, self._theme, self._side, name, len(self._ring))
         begun = self._is_replaced() or self._overlay.trail is not None
         if not len(self._screen) and not begun:
             drawing = self._session.tool.name == "draw"
-            paint_invitation(self._painter, self._theme, self._frame(), self._side, drawing)
+            heading = words.invitation(document, self._side)
+            paint_invitation(self._painter, self._theme, self._frame(), heading, drawing)

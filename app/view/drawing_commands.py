@@ -90,7 +90,7 @@ SNAPPING = (
     ),
     Command(
         "snap-edges",
-        QT_TRANSLATE_NOOP("Command", "Snap to &Edges"),
+        QT_TRANSLATE_NOOP("Command", "S&nap to Edges"),
         QT_TRANSLATE_NOOP("Command", "Let edges catch the pointer, and the lines that lengthen them"),
         ("Ctrl+Alt+E",),
         "",

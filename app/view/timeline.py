@@ -46,6 +46,9 @@ class Timeline(QWidget):
         layout.addWidget(self._t, 0, 2)
         layout.addWidget(Legend(session), 1, 0)
         layout.addWidget(self.chart, 1, 1, 1, 1)
+        self.add = _button(actions["shape-add"])
+        self.add.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        layout.addWidget(self.add, 1, 2, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop)
         layout.setColumnStretch(1, 1)
         player.t_changed.connect(self._follow)
 

@@ -165,7 +165,8 @@ def _texts(widget: QWidget) -> list[str]:
 
 def _bare(text: str, names: tuple[str, ...]) -> str:
     """Give a text without what is the same in every language: keys, and names given to things."""
-    for name in ("Ctrl", "Shift", "Alt", "Del", "Esc", "Home", "End", "starskel", "SVG", "EPS", *names):
+    keys = ("Ctrl", "Shift", "Alt", "Backspace", "PgDown", "PgUp", "Del", "Esc", "Home", "End")
+    for name in (*keys, "starskel", "SVG", "EPS", *names):
         text = text.replace(name, "")
     return text
 

@@ -10,7 +10,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 from pytestqt.qtbot import QtBot
 
-from app.session import TOOLS
+from app.tools.toolbox import TOOLS
 from app.view.commands import COMMANDS
 from app.view.dialogs import PairDialog, ask_about_changes, complain
 from app.view.main_window import MainWindow
