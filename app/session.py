@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from app.compute import UNHURRIED, Blends, MethodState, Motion, Result, Trace, subjects_of, trace_of
+from app.compute import USUAL_METHODS, Blends, MethodState, Motion, Result, Trace, subjects_of, trace_of
 from app.model.document import Document, lost_marks
 from app.model.filing import document_of, project_of
 from app.model.history import History
@@ -20,13 +20,9 @@ from app.tools.select import SelectTool
 from app.tools.settings import Settings
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
 from app.tools.toolbox import TOOLS
-from starskel.blending import COMPARED
 from starskel.files.project import Project, read_project, write_project
 
 Pointed = tuple[Side, int]
-
-USUAL_METHODS = tuple(method for method in COMPARED if method not in UNHURRIED)
-"""What is compared until the user chooses: every method that is quick."""
 
 
 class Session(QObject):
@@ -36,6 +32,8 @@ class Session(QObject):
     ----------
     selection : Selection
         The selected vertices.
+    history : History
+        What undo and redo go through.
     tool : Tool
         The state of the tool in hand.
     settings : Settings
@@ -68,7 +66,7 @@ class Session(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._history = History.of(Document(methods=USUAL_METHODS))
+        self.history = History.of(Document(methods=USUAL_METHODS))
         self._saved = self.document
         self._blends = Blends(self)
         self._blends.changed.connect(self.results_changed)
@@ -87,7 +85,7 @@ class Session(QObject):
     @property
     def document(self) -> Document:
         """The document as it is now."""
-        return self._history.document
+        return self.history.document
 
     @property
     def unsaved(self) -> bool:
@@ -122,12 +120,12 @@ class Session(QObject):
     @property
     def undoes(self) -> str | None:
         """The name of the edit that undo takes back."""
-        return self._history.undoes
+        return self.history.undoes
 
     @property
     def redoes(self) -> str | None:
         """The name of the edit that redo brings again."""
-        return self._history.redoes
+        return self.history.redoes
 
     @property
     def trace(self) -> Trace | None:
@@ -221,10 +219,15 @@ class Session(QObject):
         if self.tool.busy:
             self.key(Key("backspace"))
         else:
-            self._travel(self._history.undo())
+            self._travel(self.history.undo())
 
     def redo(self) -> None:
-        self._travel(self._history.redo())
+        self._travel(self.history.redo())
+
+    def go_to(self, position: int) -> None:
+        """Go to any step of the history."""
+        if self.finish() and position != self.history.position:
+            self._travel(self.history.at(position))
 
     def point(self, side: Side, vertex: int | None) -> None:
         """Point at a vertex, or at none."""
@@ -251,7 +254,7 @@ class Session(QObject):
         """Put another step of the sequence on the canvases, after the gesture under way is finished."""
         if step != self.document.step and self.finish():
             self.lost = 0
-            self._history = self._history.showing(step)
+            self.history = self.history.showing(step)
             self._look(Selection(self.selection.side))
 
     def arrange(self, verb: Callable[[], Document], name: str, side: Side) -> None:
@@ -259,7 +262,7 @@ class Session(QObject):
         if self.finish() and (document := verb()) != self.document:
             self._motions = {}
             self.lost = lost_marks(self.document, document)
-            self._history = self._history.push(document, name)
+            self.history = self.history.push(document, name)
             self._look(Selection(side))
 
     def work_on(self, side: Side) -> None:
@@ -358,12 +361,12 @@ class Session(QObject):
             self._blend(self.document)  # the gesture ended where it began
             return
         self.lost = lost_marks(self.document, commit.document)
-        self._history = self._history.push(commit.document, commit.name, commit.joins)
+        self.history = self.history.push(commit.document, commit.name, commit.joins)
         self._refresh()
 
     def _travel(self, history: History) -> None:
         former = self.document
-        self._history = history
+        self.history = history
         self.selection = self.selection.after(former, self.document)
         self.lost = 0
         self.tool = TOOLS[self.tool.name]()
@@ -374,7 +377,7 @@ class Session(QObject):
         self._refresh()
 
     def _start(self, document: Document, path: Path | None) -> None:
-        self._history = History.of(document)
+        self.history = History.of(document)
         self._saved, self.path = document, path
         self.selection, self.refusal, self.lost = Selection(), None, 0
         self.tool = SelectTool() if document.source or document.target else DrawTool()

@@ -5,6 +5,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from app.compute.computer import Computer
 from app.compute.request import Failure, MethodState, Proposal, Request, Result, Subject
 from starskel import METHODS
+from starskel.blending import COMPARED
 
 REMEMBERED = 40
 """So many results are kept besides those shown: undo, and a gesture given up, compute nothing anew."""
@@ -12,6 +13,9 @@ REMEMBERED = 40
 
 UNHURRIED = frozenset({"certified"})
 """Methods too slow to follow a gesture; they are computed when it ends."""
+
+USUAL_METHODS = tuple(method for method in COMPARED if method not in UNHURRIED)
+"""What is compared until the user chooses: every method that is quick."""
 
 States = dict[str, MethodState]
 

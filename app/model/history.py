@@ -69,6 +69,10 @@ class History:
         seen = replace(here, document=here.document.showing(step))
         return replace(self, steps=(*self.steps[: self.position], seen, *self.steps[self.position + 1 :]))
 
+    def at(self, position: int) -> "History":
+        """Go to any step."""
+        return replace(self, position=position)
+
     def undo(self) -> "History":
         """Go one step back, where there is one."""
         return replace(self, position=max(self.position - 1, 0))

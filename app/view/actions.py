@@ -43,6 +43,11 @@ class Actions:
     def __contains__(self, name: str) -> bool:
         return name in self._actions
 
+    @property
+    def all(self) -> list[QAction]:
+        """All of them, in the order of the table."""
+        return list(self._actions.values())
+
     def dress(self, palette: QPalette) -> None:
         """Draw the icons in the palette's colours."""
         for name, action in self._actions.items():

@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from app.view import drawing_commands, sequence_commands
+from app.view import drawing_commands, sequence_commands, window_commands
 from app.view.command import Command
 
 COMMANDS = (
@@ -77,6 +77,8 @@ COMMANDS = (
     *drawing_commands.CLIPBOARD,
     *drawing_commands.SHAPE,
     *sequence_commands.SEQUENCE,
+    *window_commands.WINDOW,
+    *window_commands.HELP,
     *drawing_commands.PICTURE,
     Command(
         "mark",
@@ -252,11 +254,23 @@ LANGUAGES = ("language-system", "language-en", "language-de")
 MENUS = (
     (
         QT_TRANSLATE_NOOP("Command", "&File"),
-        ("new", "open", "examples", "", "save", "save-as", "", "export", "", "quit"),
+        ("new", "open", "recent", "examples", "", "save", "save-as", "", "export", "", "quit"),
     ),
     (
         QT_TRANSLATE_NOOP("Command", "&Edit"),
-        ("undo", "redo", "", *_names(drawing_commands.CLIPBOARD), "", "select-all", "delete", "", "cancel"),
+        (
+            "undo",
+            "redo",
+            "",
+            *_names(drawing_commands.CLIPBOARD),
+            "",
+            "select-all",
+            "delete",
+            "",
+            "history",
+            "",
+            "cancel",
+        ),
     ),
     (
         QT_TRANSLATE_NOOP("Command", "&Shape"),
@@ -307,6 +321,7 @@ MENUS = (
             *LANGUAGES,
         ),
     ),
+    (QT_TRANSLATE_NOOP("Command", "&Help"), _names(window_commands.HELP)),
 )
 """Menus in order; an empty name is a separator, and names that are no commands are submenus."""
 

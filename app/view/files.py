@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtWidgets import QDialog, QMainWindow
 
 from app.export import ENDINGS, write
@@ -19,6 +19,7 @@ from app.view.dialogs import (
 from app.view.display import Display
 from app.view.export_dialog import ExportDialog
 from app.view.player import Player
+from app.view.remembered import remember_file
 from starskel.errors import StarskelError
 from starskel.files import pairs
 from starskel.files.documents import format_of
@@ -29,6 +30,8 @@ from starskel.files.project import Project
 
 class Files(QObject):
     """The commands of the file menu."""
+
+    exported = Signal(object)
 
     def __init__(self, window: QMainWindow, session: Session, player: Player, display: Display) -> None:
         super().__init__(window)
@@ -75,12 +78,19 @@ class Files(QObject):
                 self._open_pair(path)
             else:
                 self._session.open(path)
+            remember_file(path)
         except StarskelError as error:
             complain(self._window, self.tr("{name} cannot be opened").format(name=path.name), error)
 
+    @Slot(object)
     def open_example(self, name: str) -> None:
         if self.may_go():
             self._session.show_project(example(name))
+
+    @Slot(object)
+    def open_recent(self, path: Path) -> None:
+        if self.may_go():
+            self.open(path)
 
     @Slot()
     def save(self) -> bool:
@@ -114,7 +124,7 @@ class Files(QObject):
         except StarskelError as error:
             complain(self._window, self.tr("{name} was not written").format(name=path.name), error)
         else:
-            self._window.statusBar().showMessage(self.tr("Exported to {path}").format(path=path), 8000)
+            self.exported.emit(path)
 
     def _open_pair(self, path: Path) -> None:
         file = read_pairs(path)
@@ -133,4 +143,5 @@ class Files(QObject):
             complain(self._window, self.tr("{name} was not saved").format(name=path.name), error)
             return False
         self._folder = path.parent
+        remember_file(path)
         return True

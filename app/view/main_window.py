@@ -15,16 +15,20 @@ from app.view.actions import Actions
 from app.view.backgrounds import Backgrounds
 from app.view.canvas import NOTCH, Canvas
 from app.view.commands import LANGUAGES, PALETTE
+from app.view.convenience import Convenience
 from app.view.display import Display, Layers
+from app.view.drops import Drops
 from app.view.edits import Edits
 from app.view.files import Files
 from app.view.icons import icon
 from app.view.mark_line import MarkLine
 from app.view.marks_table import MarksPanel
-from app.view.menus import examples_menu, fill_menu_bar, layers_menu, methods_menu, tool_bar, tool_palette
+from app.view.menus import fill_menu_bar, layers_menu, methods_menu, tool_bar, tool_palette
 from app.view.options import SWITCHES, OptionsBar
 from app.view.panels import Panels
 from app.view.player import Player
+from app.view.project_menus import ExamplesMenu, RecentMenu
+from app.view.remembered import remember_theme
 from app.view.sequence_bar import SequenceBar
 from app.view.sequencing import Sequencing
 from app.view.status import Status
@@ -49,14 +53,20 @@ class MainWindow(QMainWindow):
         self.edits = Edits(self, session, self.canvases)
         self.sequencing = Sequencing(self, session, self.player)
         self.backgrounds = Backgrounds(self, session, self.canvases)
+        self.convenience = Convenience(self, session)
         self.actions_table = Actions(self, self._handlers())
         self.sequence = SequenceBar(session, self.player, self.sequencing, self.actions_table)
         self.panels = Panels(session, self.player, self.display)
         self.timeline = Timeline(session, self.player, self.actions_table)
-        self._examples = examples_menu(self)
+        self._examples, self.recent = ExamplesMenu(self), RecentMenu(self)
         self._methods = methods_menu(self)
         layers = layers_menu(self, self.actions_table, LAYERS)
-        submenus = {"examples": self._examples, "methods": self._methods, "layers": layers}
+        submenus = {
+            "examples": self._examples,
+            "recent": self.recent,
+            "methods": self._methods,
+            "layers": layers,
+        }
         fill_menu_bar(self.menuBar(), self.actions_table, submenus)
         self.addToolBar(tool_bar(self.actions_table, submenus))
         self.addToolBarBreak()
@@ -67,11 +77,16 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(self._body())
         self.marks = MarksPanel(session)
         self._marks_dock = self._dock(self.marks)
-        self.setStatusBar(Status(session, self.actions_table))
+        self.convenience.begin(self.actions_table)
+        self._take_drops()
+        status = Status(session, self.actions_table)
+        self.files.exported.connect(status.tell_written)
+        self.setStatusBar(status)
         self.actions_table[f"language-{language.chosen()}"].setChecked(True)
         self.resize(QSize(1280, 860).boundedTo(self.screen().availableSize()))
         self.canvases["source"].setFocus()
-        self._examples.triggered.connect(self._open_example)
+        self._examples.chosen.connect(self.files.open_example)
+        self.recent.chosen.connect(self.files.open_recent)
         self._methods.triggered.connect(self._compare)
         session.document_changed.connect(self._follow)
         session.changed.connect(self._follow_selection)
@@ -91,9 +106,11 @@ class MainWindow(QMainWindow):
 
     def _body(self) -> QWidget:
         canvases = QSplitter(Qt.Orientation.Horizontal)
+        canvases.setObjectName("canvases")
         for canvas in self.canvases.values():
             canvases.addWidget(canvas)
         parts = QSplitter(Qt.Orientation.Vertical)
+        parts.setObjectName("parts")
         parts.addWidget(canvases)
         parts.addWidget(self.panels)
         parts.setSizes([420, 260])
@@ -107,6 +124,12 @@ class MainWindow(QMainWindow):
         self.mark_line = MarkLine(self.session, self.canvases, canvases, body)
         layout.addWidget(self.timeline)
         return body
+
+    def _take_drops(self) -> None:
+        drops = Drops(self, self.session, self.files)
+        self.setAcceptDrops(True)
+        for place in (self, *self.canvases.values()):
+            place.installEventFilter(drops)
 
     def _dock(self, panel: QWidget) -> QDockWidget:
         """Give the place at the side for the table of marks; closed until it is wanted."""
@@ -136,6 +159,7 @@ class MainWindow(QMainWindow):
             "cancel": session.cancel,
             **self.edits.handlers(),
             **self.sequencing.handlers(),
+            **self.convenience.handlers(),
             **self.backgrounds.handlers(),
             **dict.fromkeys(PALETTE, self._choose_tool),
             **dict.fromkeys(SWITCHES, self._switch_snapping),
@@ -220,16 +244,14 @@ class MainWindow(QMainWindow):
 
     @Slot()
     def _choose_theme(self) -> None:
-        self._apply(DARK if self.actions_table["dark"].isChecked() else LIGHT)
+        theme = DARK if self.actions_table["dark"].isChecked() else LIGHT
+        remember_theme(theme.name)
+        self._apply(theme)
 
     @Slot()
     def _choose_language(self) -> None:
         language.choose(self.sender().objectName().removeprefix("language-"))
         self.statusBar().showMessage(self.tr("The language changes with the next start."), 8000)
-
-    @Slot(QAction)
-    def _open_example(self, action: QAction) -> None:
-        self.files.open_example(action.data())
 
     @Slot(QAction)
     def _compare(self, action: QAction) -> None:
@@ -300,6 +322,7 @@ class MainWindow(QMainWindow):
     def closeEvent(self, event: QCloseEvent) -> None:
         if self.files.may_go():
             self.player.pause()
+            self.convenience.keep()
             self.session.close()
             event.accept()
         else:

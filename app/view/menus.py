@@ -9,7 +9,6 @@ from app.view import words
 from app.view.actions import Actions, say
 from app.view.commands import MENUS, PALETTE, TOOLBAR
 from starskel.blending import COMPARED
-from starskel.files.examples import example, example_names, figure_number
 
 translate = QCoreApplication.translate
 
@@ -64,20 +63,6 @@ def tool_palette(actions: Actions) -> QToolBar:
     for name in PALETTE:
         bar.addAction(actions[name])
     return bar
-
-
-def examples_menu(parent: QWidget) -> QMenu:
-    """Give a menu of the examples; each action's data is the example's name."""
-    menu = QMenu(translate("Menus", "E&xamples"), parent)
-    menu.setToolTipsVisible(True)
-    for name in example_names():
-        if figure_number(name) == 1:
-            menu.addSection(translate("Menus", "Figures of the paper"))
-        project = example(name)
-        action = menu.addAction(project.name)
-        action.setData(name)
-        action.setToolTip(project.description)
-    return menu
 
 
 def layers_menu(parent: QWidget, actions: Actions, names: Sequence[str]) -> QMenu:

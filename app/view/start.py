@@ -12,7 +12,8 @@ from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 from app.session import Session
 from app.view.language import chosen, speak, spoken
 from app.view.main_window import MainWindow
-from app.view.theme import DARK, LIGHT, apply_theme
+from app.view.remembered import last_file, theme_name
+from app.view.theme import DARK, LIGHT, Theme, apply_theme
 from starskel.files.examples import example
 
 FIRST_EXAMPLE = "arm"
@@ -57,14 +58,28 @@ def run(path: Path | None) -> int:
     application.setApplicationName("starskel")
     application.setOrganizationName("starskel")
     speak(application, spoken(chosen(), QLocale.system()))
-    scheme = application.styleHints().colorScheme()
-    apply_theme(application, DARK if scheme == Qt.ColorScheme.Dark else LIGHT)
+    apply_theme(application, _theme(application))
     window = MainWindow(Session())
     sys.excepthook = Faults(window).take
+    window.convenience.restore()
     window.show()
+    begin(window, path)
+    return application.exec()
+
+
+def begin(window: MainWindow, path: Path | None) -> None:
+    """Open a file, else the project that was open last, else the first example playing."""
+    path = path or last_file()
     if path is not None:
         window.files.open(path)
     else:
         window.session.show_project(example(FIRST_EXAMPLE))
         window.player.play()
-    return application.exec()
+
+
+def _theme(application: QApplication) -> Theme:
+    """Give the theme that the user chose, else the one that goes with the system."""
+    name = theme_name()
+    if name in (LIGHT.name, DARK.name):
+        return DARK if name == DARK.name else LIGHT
+    return DARK if application.styleHints().colorScheme() == Qt.ColorScheme.Dark else LIGHT

@@ -17,7 +17,7 @@ from app.view.theme import DARK, LIGHT, Theme, apply_theme
 
 SUBMENUS = {"methods", "layers"}
 
-ASKING = {"quit", "open", "save", "save-as", "export", "picture-open"}
+ASKING = {"quit", "open", "save", "save-as", "export", "picture-open", "find-command", "shortcuts", "about"}
 
 
 def menu_actions(menu: QMenu) -> list[QAction]:

@@ -1,0 +1,98 @@
+"""Finding commands, their shortcuts, the list of edits, and what is kept from one time to the next."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, Qt, Slot
+from PySide6.QtWidgets import QDockWidget, QMainWindow
+
+from app.session import Session
+from app.view.about import AboutDialog
+from app.view.actions import Actions
+from app.view.commands import COMMANDS
+from app.view.finder import Finder
+from app.view.history_list import HistoryList
+from app.view.remembered import (
+    remember_last_file,
+    remember_layout,
+    remember_switches,
+    restore_layout,
+    switches,
+)
+from app.view.shortcuts import ShortcutsDialog, apply_shortcuts
+
+OTHERWISE = ("marks", "history", "alone")
+"""Switches that are kept with the window's layout, or that belong to a document."""
+
+KEPT = tuple(c.name for c in COMMANDS if c.checkable and not c.group and c.name not in OTHERWISE)
+"""The switches that are as they were at the next start."""
+
+
+class Convenience(QObject):
+    """The commands of the help menu, and those of the window as a whole."""
+
+    def __init__(self, window: QMainWindow, session: Session) -> None:
+        super().__init__(window)
+        self._window = window
+        self._session = session
+        self._actions: Actions | None = None
+        self.history = HistoryList(session)
+        self._dock = QDockWidget(self.tr("History"), window)
+        self._dock.setObjectName("history-dock")
+        self._dock.setWidget(self.history)
+        self._dock.hide()
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """Give for each command what it does."""
+        return {
+            "history": self._show_history,
+            "find-command": self._find,
+            "shortcuts": self._change_shortcuts,
+            "about": self._tell,
+        }
+
+    def begin(self, actions: Actions) -> None:
+        """Take the actions, when there are some."""
+        self._actions = actions
+        self._window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self._dock)
+        self._dock.visibilityChanged.connect(actions["history"].setChecked)
+        apply_shortcuts(actions.all)
+
+    def restore(self) -> None:
+        """Have window and switches as they were."""
+        restore_layout(self._window)
+        for name, on in switches().items():
+            if self._actions is not None and name in KEPT and self._actions[name].isChecked() != on:
+                self._actions[name].trigger()
+
+    def keep(self) -> None:
+        """Keep window, switches and the name of the file for the next start."""
+        remember_layout(self._window)
+        remember_last_file(self._session.path)
+        if self._actions is not None:
+            remember_switches({name: self._actions[name].isChecked() for name in KEPT})
+
+    @Slot()
+    def _show_history(self) -> None:
+        self._dock.setVisible(not self._dock.isVisible())
+
+    @Slot()
+    def _find(self) -> None:
+        """Let a command be found, and give it when the dialog is gone."""
+        assert self._actions is not None
+        finder = Finder(self._actions.all, self._window)
+        finder.exec()
+        chosen = finder.chosen
+        finder.deleteLater()
+        if chosen is not None:
+            chosen.trigger()
+
+    @Slot()
+    def _change_shortcuts(self) -> None:
+        assert self._actions is not None
+        dialog = ShortcutsDialog(self._actions.all, self._window)
+        dialog.exec()
+        dialog.deleteLater()
+
+    @Slot()
+    def _tell(self) -> None:
+        AboutDialog(self._window).exec()

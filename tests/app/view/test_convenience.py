@@ -1,0 +1,332 @@
+"""Recent files, dropped files, what is kept for the next start, the history, finding commands, shortcuts."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QDesktopServices, QDragEnterEvent, QDropEvent, QGuiApplication, QKeySequence
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton, QToolButton, QWidget
+
+from app.session import Session
+from app.view import remembered
+from app.view.about import AboutDialog, versions
+from app.view.finder import Finder, matches
+from app.view.main_window import MainWindow
+from app.view.shortcuts import ShortcutsDialog, changed_shortcuts
+from app.view.start import begin
+from app.view.status import time_left
+from starskel.files.project import Project, Step, write_project
+from starskel.polygon import Polygon
+from tests.app.driver import CONTROL, LEFT, PLAIN, SHIFT, SQUARE, Driver
+
+SHAPE = Polygon(SQUARE)
+
+
+def project(path: Path) -> Path:
+    write_project(path, Project(path.stem, (SHAPE, SHAPE), (Step(),), ("vertex",)))
+    return path
+
+
+def drop(driver: Driver, path: Path, on: QWidget) -> bool:
+    """Drop a file as a file manager does; tell whether it was taken."""
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path))])
+    copy, left, place = Qt.DropAction.CopyAction, Qt.MouseButton.LeftButton, QPoint(60, 60)
+    entering = QDragEnterEvent(place, copy, data, left, PLAIN)
+    QApplication.sendEvent(on, entering)
+    if entering.isAccepted():
+        QApplication.sendEvent(on, QDropEvent(QPointF(place), copy, data, left, PLAIN))
+    return entering.isAccepted()
+
+
+def with_dialog(driver: Driver, kind: type[QWidget], act: Callable[[QWidget], None]) -> None:
+    def check(dialog: QWidget) -> None:
+        assert isinstance(dialog, kind)
+        act(dialog)
+
+    driver.in_dialog(check)
+
+
+# recent files
+
+
+def test_opened_and_saved_files_are_offered_again_the_last_one_first(driver: Driver, tmp_path: Path) -> None:
+    paths = [project(tmp_path / f"{name}.json") for name in ("one", "two & a half", "three")]
+    for path in paths:
+        driver.window.files.open(path)
+    driver.session.save(paths[0])
+    driver.window.files.save()
+    menu = driver.window.recent
+    menu.aboutToShow.emit()
+    assert [action.text() for action in menu.actions()[:3]] == ["one", "three", "two && a half"]
+    assert not menu.actions()[0].icon().isNull()
+    assert menu.actions()[0].toolTip() == str(paths[0])
+    menu.actions()[2].trigger()
+    assert driver.session.path == paths[1]
+
+
+def test_files_that_are_gone_are_not_offered_and_the_list_can_be_cleared(
+    driver: Driver, tmp_path: Path
+) -> None:
+    kept, gone = project(tmp_path / "kept.json"), project(tmp_path / "gone.json")
+    for path in (kept, gone):
+        driver.window.files.open(path)
+    gone.unlink()
+    assert remembered.recent_files() == (kept,)
+    driver.window.recent.aboutToShow.emit()
+    driver.window.recent.actions()[-1].trigger()
+    assert remembered.recent_files() == ()
+
+
+def test_no_more_files_are_remembered_than_a_menu_should_hold(tmp_path: Path) -> None:
+    for number in range(remembered.RECENT + 3):
+        path = tmp_path / f"{number}.json"
+        path.touch()
+        remembered.remember_file(path)
+    assert len(remembered.recent_files()) == remembered.RECENT
+    assert remembered.recent_files()[0] == path
+
+
+def test_every_example_has_a_picture(window: MainWindow) -> None:
+    menu = window._examples
+    entries = [action for action in menu.actions() if action.data() is not None]
+    assert entries
+    assert not any(action.icon().isNull() for action in entries)
+
+
+# dropped files
+
+
+def test_a_dropped_project_is_opened_after_the_question_about_changes(driver: Driver, tmp_path: Path) -> None:
+    path = project(tmp_path / "dropped.json")
+    driver.draw("source", SQUARE)
+
+    def discard(dialog: QWidget) -> None:
+        assert isinstance(dialog, QMessageBox)
+        QTest.mouseClick(dialog.button(QMessageBox.StandardButton.Discard), LEFT)
+
+    driver.in_dialog(discard)
+    assert drop(driver, path, driver.window.canvases["target"])
+    driver.wait(lambda: driver.session.path == path)
+
+
+@pytest.mark.parametrize("side", ["source", "target"])
+def test_a_dropped_svg_becomes_the_shape_of_the_canvas_under_it(
+    driver: Driver, tmp_path: Path, side: str
+) -> None:
+    path = tmp_path / "outline.svg"
+    path.write_text('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0 L10 0 L10 10 Z"/></svg>')
+    assert drop(driver, path, driver.window.canvases[side])  # type: ignore[index]
+    driver.wait(lambda: driver.document.polygon(side) is not None)  # type: ignore[arg-type]
+    assert driver.session.undoes == "Paste shape"
+
+
+def test_an_svg_without_outlines_is_refused_with_the_reason(driver: Driver, tmp_path: Path) -> None:
+    path = tmp_path / "empty.svg"
+    path.write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
+    drop(driver, path, driver.window.canvases["source"])
+    driver.wait(lambda: driver.session.refusal is not None)
+    assert "empty.svg" in str(driver.session.refusal and driver.session.refusal.error)
+
+
+def test_other_files_are_not_taken_by_the_window(driver: Driver, tmp_path: Path) -> None:
+    path = tmp_path / "notes.txt"
+    path.touch()
+    assert not drop(driver, path, driver.window)
+
+
+# what is kept
+
+
+def test_the_window_comes_back_as_it_was_left(driver: Driver, tmp_path: Path, qtbot) -> None:  # type: ignore[no-untyped-def]
+    path = project(tmp_path / "last.json")
+    first = driver.window
+    first.files.open(path)
+    first.actions_table["pieces"].trigger()
+    first.actions_table["history"].trigger()
+    first.convenience.keep()
+    second = MainWindow(Session())
+    second.convenience.restore()
+    second.show()
+    qtbot.waitExposed(second)
+    try:
+        assert second.display.layers.pieces
+        assert not second.display.layers.skeleton
+        assert second.convenience.history.isVisible()
+        assert second.actions_table["history"].isChecked()
+        begin(second, None)
+        assert second.session.path == path
+    finally:
+        second.close()
+        second.deleteLater()
+
+
+def test_a_first_start_shows_an_example_playing(window: MainWindow) -> None:
+    begin(window, None)
+    assert window.session.path is None
+    assert window.player.playing
+
+
+def test_the_theme_that_was_chosen_is_kept(window: MainWindow) -> None:
+    assert remembered.theme_name() == ""
+    window.actions_table["dark"].trigger()
+    assert remembered.theme_name() == "dark"
+    window.actions_table["light"].trigger()
+    assert remembered.theme_name() == "light"
+
+
+# history
+
+
+def test_a_click_in_the_history_goes_there(driver: Driver) -> None:
+    driver.draw_both()
+    driver.mark((10, 10), (10, 10))
+    driver.key(Qt.Key.Key_H, CONTROL)
+    shown = driver.window.convenience.history
+    assert shown.isVisible()
+    assert [shown.item(row).text() for row in range(shown.count())] == [
+        "Opened",
+        "Draw shape",
+        "Draw shape",
+        "Set mark",
+    ]
+    assert shown.currentRow() == 3
+    QTest.mouseClick(shown.viewport(), LEFT, PLAIN, shown.visualItemRect(shown.item(1)).center())
+    assert driver.document.target is None
+    assert driver.session.redoes == "Draw shape"
+    for _ in range(2):
+        QTest.keyClick(shown, Qt.Key.Key_Down)
+    assert driver.document.marks == ((0, 0),)
+    driver.key(Qt.Key.Key_Z, CONTROL)
+    assert shown.currentRow() == 2
+
+
+# commands
+
+
+def test_a_command_is_found_by_a_part_of_its_name(driver: Driver) -> None:
+    def find(dialog: QWidget) -> None:
+        assert isinstance(dialog, Finder)
+        QTest.keyClicks(dialog.field, "pie star")
+        QTest.keyClick(dialog.field, Qt.Key.Key_Return)
+
+    with_dialog(driver, Finder, find)
+    driver.key(Qt.Key.Key_K, CONTROL)
+    assert driver.window.display.layers.pieces
+
+
+def test_arrow_keys_choose_among_the_commands_found_and_escape_gives_none(driver: Driver) -> None:
+    def choose(dialog: QWidget) -> None:
+        assert isinstance(dialog, Finder)
+        QTest.keyClicks(dialog.field, "zoom")
+        first = dialog.list.currentItem()
+        QTest.keyClick(dialog.field, Qt.Key.Key_Down)
+        assert dialog.list.currentItem() is not first
+        QTest.keyClick(dialog.field, Qt.Key.Key_Escape)
+
+    scale = driver.window.canvases["source"].camera.scale
+    with_dialog(driver, Finder, choose)
+    driver.key(Qt.Key.Key_P, CONTROL | SHIFT)
+    assert driver.window.canvases["source"].camera.scale == scale
+
+
+def test_every_word_is_looked_for() -> None:
+    assert matches("Mirror Left and Right", "right mir")
+    assert not matches("Mirror Left and Right", "mirror up")
+    assert matches("anything", "")
+
+
+def assign(dialog: QWidget, command: str, keys: str) -> None:
+    assert isinstance(dialog, ShortcutsDialog)
+    (item,) = dialog.list.findItems(command, Qt.MatchFlag.MatchExactly)
+    dialog.list.setCurrentItem(item)
+    dialog.keys.setKeySequence(QKeySequence(keys))
+    QTest.mouseClick(dialog.assign, LEFT)
+
+
+def test_a_shortcut_is_changed_works_at_once_and_is_kept(driver: Driver) -> None:
+    def change(dialog: QWidget) -> None:
+        assign(dialog, "Star Pieces", "Ctrl+J")
+        dialog.close()
+
+    with_dialog(driver, ShortcutsDialog, change)
+    driver.window.actions_table["shortcuts"].trigger()
+    driver.key(Qt.Key.Key_J, CONTROL)
+    assert driver.window.display.layers.pieces
+    driver.key(Qt.Key.Key_1, CONTROL)
+    assert driver.window.display.layers.pieces, "the old key does nothing any more"
+    assert changed_shortcuts() == {"pieces": "Ctrl+J"}
+
+
+def test_a_shortcut_that_is_taken_changes_hands_after_a_warning(driver: Driver) -> None:
+    def change(dialog: QWidget) -> None:
+        assert isinstance(dialog, ShortcutsDialog)
+        (item,) = dialog.list.findItems("Star Pieces", Qt.MatchFlag.MatchExactly)
+        dialog.list.setCurrentItem(item)
+        dialog.keys.setKeySequence(QKeySequence("Ctrl+2"))
+        assert "Skeleton" in dialog.note.text()
+        assign(dialog, "Star Pieces", "Ctrl+2")
+        dialog.close()
+
+    with_dialog(driver, ShortcutsDialog, change)
+    driver.window.actions_table["shortcuts"].trigger()
+    driver.key(Qt.Key.Key_2, CONTROL)
+    assert driver.window.display.layers.pieces
+    assert not driver.window.display.layers.skeleton
+    assert changed_shortcuts() == {"pieces": "Ctrl+2", "skeleton": ""}
+
+
+def test_the_usual_shortcuts_come_back(driver: Driver) -> None:
+    def change(dialog: QWidget) -> None:
+        assign(dialog, "Star Pieces", "Ctrl+J")
+        usual = next(b for b in dialog.findChildren(QPushButton) if b.text() == "&Usual Shortcuts")
+        QTest.mouseClick(usual, LEFT)
+        dialog.close()
+
+    with_dialog(driver, ShortcutsDialog, change)
+    driver.window.actions_table["shortcuts"].trigger()
+    assert changed_shortcuts() == {}
+    assert driver.window.actions_table["pieces"].shortcut() == QKeySequence("Ctrl+1")
+
+
+# about, progress, notices
+
+
+def test_the_versions_can_be_copied(driver: Driver) -> None:
+    def copy(dialog: QWidget) -> None:
+        button = dialog.findChild(QPushButton, "copy-versions")
+        assert button is not None
+        QTest.mouseClick(button, LEFT)
+        dialog.close()
+
+    with_dialog(driver, AboutDialog, copy)
+    driver.window.actions_table["about"].trigger()
+    assert QGuiApplication.clipboard().text() == versions()
+    assert "numpy" in versions()
+    assert "Python" in versions()
+
+
+@pytest.mark.parametrize(
+    ("elapsed", "fraction", "expected"),
+    [(0.5, 0.5, None), (10, 0.01, None), (10, 0.9, None), (5, 0.5, 5), (10, 0.25, 30), (7, 0.2, 30)],
+)
+def test_the_time_left_is_told_when_it_is_worth_it(
+    elapsed: float, fraction: float, expected: int | None
+) -> None:
+    assert time_left(elapsed, fraction) == expected
+
+
+def test_the_folder_of_an_export_is_a_click_away(
+    driver: Driver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened: list[QUrl] = []
+    monkeypatch.setattr(QDesktopServices, "openUrl", opened.append)
+    button = driver.window.findChild(QToolButton, "open-folder")
+    assert button is not None
+    assert not button.isVisible()
+    driver.window.files.exported.emit(tmp_path / "row.svg")
+    assert "row.svg" in driver.window.statusBar().currentMessage()
+    QTest.mouseClick(button, LEFT)
+    assert [url.toLocalFile() for url in opened] == [str(tmp_path)]
