@@ -345,10 +345,11 @@ class Document:
 
 
 def lost_marks(before: Document, after: Document) -> int:
-    """Count the marks that an edit of shapes took along; where only their order changed, the vertices."""
+    """Count the marks that an edit of shapes took along from those that are still there."""
     former, later = before.sequence, after.sequence
     if former.shapes == later.shapes:
         return 0
     if set(later.shapes) - {None} <= set(former.shapes):
-        return sum(end[0] in later.shapes and end not in later.marked for end in former.marked)
+        gone = {end for end in former.marked - later.marked if end[0] in later.shapes}
+        return sum(not gone.isdisjoint(ends) for ends in former.ends)
     return max(sum(map(len, former.marks)) - sum(map(len, later.marks)), 0)

@@ -55,10 +55,15 @@ class Sequence:
         return len(self.shapes) - 1
 
     @property
+    def ends(self) -> list[tuple[tuple[Polygon | None, int], tuple[Polygon | None, int]]]:
+        """For each mark of all steps its two ends: a shape, and a vertex of it."""
+        steps = zip(pairwise(self.shapes), self.marks, strict=True)
+        return [((a, i), (b, j)) for (a, b), marks in steps for i, j in marks]
+
+    @property
     def marked(self) -> frozenset[tuple[Polygon | None, int]]:
         """The shapes that are marked, each with a vertex that is."""
-        numbers = range(len(self.shapes))
-        return frozenset((self.shapes[k], v) for k in numbers for v, _ in self.marks_between(k, k))
+        return frozenset(end for ends in self.ends for end in ends)
 
     @property
     def times(self) -> tuple[float, ...]:

@@ -41,10 +41,14 @@ def shaped(tiling: Tiling, n: int, task: Task) -> Tiling:
 
 
 def _moved(tiling: Tiling, n: int, side: int, stride: float, task: Task) -> Tiling:
-    """Move Steiner vertices on one side, no two of the same piece."""
+    """Move Steiner vertices on one side, no two of the same piece.
+
+    A piece that is seen whole only from a common vertex is left alone: another kernel may not contain it.
+    """
     points = (tiling.source, tiling.target)[side]
     moves: dict[int, Floats] = {}
-    touched: set[Piece] = set()
+    stars = tiling.are_stars(tiling.pieces)
+    touched = {piece for piece, star in zip(tiling.pieces, stars, strict=True) if not star}
     for vertex, pieces in sorted(_around(tiling, n).items()):
         task.reach(0)
         place = _better(points, vertex, pieces, stride) if touched.isdisjoint(pieces) else None
