@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 EXAMPLE := resources/examples/arm.json
 
-.PHONY: run test bench setup qt clean
+.PHONY: run test translations bench setup qt clean
 
 setup: .venv/installed
 
@@ -35,6 +35,9 @@ test: qt
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 	$(BIN)/python -m pytest
+
+translations: setup
+	$(BIN)/python .ci/translations.py
 
 bench: setup
 	$(BIN)/python -m tests.benchmarks

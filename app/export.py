@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 
 from app.compute import Result
-from starskel.errors import InvalidFile
+from starskel.errors import InvalidFile, either, told
 from starskel.files.postscript import write_eps, write_postscript
 from starskel.files.svg import write_svg
 from starskel.sheet.comparison import Row, comparison_sheet
@@ -70,7 +70,8 @@ def write(path: Path, name: str, choice: Choice, results: Sequence[Result]) -> N
     ending = path.suffix.lower()
     if ending not in ENDINGS[choice.layout]:
         raise InvalidFile(
-            f'{path.name} ends in "{path.suffix}"', "end it in " + " or ".join(ENDINGS[choice.layout])
+            told('{name} ends in "{ending}"', name=path.name, ending=path.suffix),
+            told("end it in {endings}", endings=either(ENDINGS[choice.layout])),
         )
     drawings = _drawings(name, choice, results)
     if ending == ".svg":

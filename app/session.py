@@ -7,39 +7,21 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from app.compute import UNHURRIED, Blends, MethodState, Motion, Result, Subject, Trace, trace_of
+from app.compute import UNHURRIED, Blends, MethodState, Motion, Result, Trace, subjects_of, trace_of
 from app.model.document import Document, lost_marks
+from app.model.filing import document_of, project_of
 from app.model.history import History
 from app.model.marks import SIDES, Marks, Side
 from app.model.selection import Selection, everything
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.draw import DrawTool
-from app.tools.figure import EllipseTool, RectangleTool, RegularPolygonTool, StarTool
-from app.tools.freehand import FreehandTool
-from app.tools.mark import MarkTool
 from app.tools.marking import replace_marks
 from app.tools.select import SelectTool
 from app.tools.settings import Settings
-from app.tools.text import TextTool
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
-from starskel import METHODS
+from app.tools.toolbox import TOOLS
 from starskel.blending import COMPARED
 from starskel.files.project import Project, read_project, write_project
-
-TOOLS: dict[str, type[Tool]] = {
-    tool.name: tool
-    for tool in (
-        SelectTool,
-        DrawTool,
-        FreehandTool,
-        RectangleTool,
-        EllipseTool,
-        RegularPolygonTool,
-        StarTool,
-        TextTool,
-        MarkTool,
-    )
-}
 
 Pointed = tuple[Side, int]
 
@@ -64,8 +46,6 @@ class Session(QObject):
         How many marks the last edit of a shape took along, until the next one is begun.
     path : Path or None
         The project file, None before it has one.
-    motion : Motion
-        The star-skeleton's root and whole turns; a way of looking at the document, no part of it.
     pointed : (side, int) or None
         The vertex that is pointed at, on a canvas or in the table of marks.
     """
@@ -76,6 +56,8 @@ class Session(QObject):
     """The document, its file or its unsaved state is another."""
     opened = Signal()
     """Another document is edited from now on."""
+    step_changed = Signal()
+    """Other shapes are on the canvases."""
     tool_changed = Signal()
     pointed_changed = Signal()
     """Another vertex is pointed at, or its partner has moved."""
@@ -100,7 +82,7 @@ class Session(QObject):
         self.lost = 0
         self.path: Path | None = None
         self.pointed: Pointed | None = None
-        self.motion = Motion()
+        self._motions: dict[int, Motion] = {}
 
     @property
     def document(self) -> Document:
@@ -110,7 +92,7 @@ class Session(QObject):
     @property
     def unsaved(self) -> bool:
         """Whether the document differs from its file."""
-        return self.document != self._saved
+        return self.document.showing(0) != self._saved.showing(0)
 
     @property
     def busy(self) -> bool:
@@ -119,13 +101,23 @@ class Session(QObject):
 
     @property
     def results(self) -> dict[str, MethodState]:
-        """For each method of the document what there is to show."""
+        """For each method of the document what there is to show of the step on the canvases."""
         return self._blends.results
+
+    def results_of(self, step: int) -> dict[str, MethodState]:
+        """Give for each method of the document what there is to show of any step."""
+        steps = self._blends.steps
+        return steps[step] if step < len(steps) else {}
 
     @property
     def fresh_results(self) -> tuple[Result, ...]:
-        """The blends of the document as it is now, in the order in which they are shown."""
+        """The blends of the step on the canvases as it is now, in the order in which they are shown."""
         return self._blends.fresh
+
+    @property
+    def motion(self) -> Motion:
+        """What the user has chosen about the star-skeleton of the step on the canvases."""
+        return self._motions.get(self.document.step, Motion())
 
     @property
     def undoes(self) -> str | None:
@@ -252,8 +244,35 @@ class Session(QObject):
 
     def steer(self, motion: Motion) -> None:
         """Choose the star-skeleton's root and whole turns."""
-        self.motion = motion
+        self._motions[self.document.step] = motion
         self._blend(self.document)
+
+    def show_step(self, step: int) -> None:
+        """Put another step of the sequence on the canvases, after the gesture under way is finished."""
+        if step != self.document.step and self.finish():
+            self.lost = 0
+            self._history = self._history.showing(step)
+            self._look(Selection(self.selection.side))
+
+    def arrange(self, verb: Callable[[], Document], name: str, side: Side) -> None:
+        """Change the sequence of key shapes; the shape on this side is the one worked on next."""
+        if self.finish() and (document := verb()) != self.document:
+            self._motions = {}
+            self.lost = lost_marks(self.document, document)
+            self._history = self._history.push(document, name)
+            self._look(Selection(side))
+
+    def work_on(self, side: Side) -> None:
+        """Let the shape on this side be the one worked on."""
+        if self.finish():
+            self._answer(Response(self.tool, selection=Selection(side)))
+
+    def _look(self, selection: Selection) -> None:
+        """Show the step that the document is at now."""
+        self.tool, self.selection, self.refusal = TOOLS[self.tool.name](), selection, None
+        self.point("source", None)
+        self.step_changed.emit()
+        self._refresh()
 
     def recompute(self) -> None:
         """Compute all blends anew."""
@@ -286,7 +305,7 @@ class Session(QObject):
         InvalidMarks
             If its marks cross.
         """
-        self._start(_document_of(project), path)
+        self._start(document_of(project, USUAL_METHODS), path)
 
     def save(self, path: Path) -> None:
         """Write the project file, whole or not at all.
@@ -296,10 +315,8 @@ class Session(QObject):
         InvalidFile
             If it cannot be written.
         """
-        document = self.document
-        name = document.name or path.stem
-        write_project(path, Project(name, document.source, document.target, document.marks, document.methods))
-        self.path, self._saved = path, document
+        write_project(path, project_of(self.document, path.stem))
+        self.path, self._saved = path, self.document
         self.document_changed.emit()
 
     # how answers and documents come in
@@ -351,6 +368,9 @@ class Session(QObject):
         self.lost = 0
         self.tool = TOOLS[self.tool.name]()
         self.refusal = None
+        now = self.document
+        if (former.step, former.sequence.steps) != (now.step, now.sequence.steps):
+            self.step_changed.emit()
         self._refresh()
 
     def _start(self, document: Document, path: Path | None) -> None:
@@ -358,7 +378,7 @@ class Session(QObject):
         self._saved, self.path = document, path
         self.selection, self.refusal, self.lost = Selection(), None, 0
         self.tool = SelectTool() if document.source or document.target else DrawTool()
-        self.motion = Motion()
+        self._motions = {}
         self._blends.forget()
         self.tool_changed.emit()
         self.opened.emit()
@@ -370,16 +390,6 @@ class Session(QObject):
         self._blend(self.document)
 
     def _blend(self, document: Document, *, live: bool = False) -> None:
-        subject = None
-        if document.source is not None and document.target is not None:
-            subject = Subject(document.source, document.target, document.marks, self.motion)
-        self._blends.show(subject, document.methods, live=live)
-
-
-def _document_of(project: Project) -> Document:
-    """Give a project as a document; unknown methods in it are left out, none at all means the usual ones."""
-    known = tuple(method for method in project.methods if method in METHODS) or USUAL_METHODS
-    document = (
-        Document(project.name, methods=known).draw("source", project.source).draw("target", project.target)
-    )
-    return replace(document, marks=project.marks)
+        self._blends.show(
+            subjects_of(document.sequence, self._motions), document.step, document.methods, live=live
+        )

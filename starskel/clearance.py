@@ -62,6 +62,15 @@ def _least(corners: Complex, known: float) -> float:
     return 0.0
 
 
+def nearer_pairs(
+    before: Complex, after: Complex, vertex: Indices, edge: Indices, distance: float
+) -> tuple[Indices, Indices]:
+    """Give those of some pairs of a vertex and an edge that may come nearer than a distance."""
+    corners = np.stack([*seen_ends(before, vertex, edge), *seen_ends(after, vertex, edge)])
+    near = _bounds(corners) < distance
+    return vertex[near], edge[near]
+
+
 def stay_clear(before: Complex, after: Complex, vertex: Indices, edge: Indices, floors: Floats) -> bool:
     """Tell whether pairs of a vertex and an edge keep their distances while a ring moves evenly.
 

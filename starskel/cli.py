@@ -100,6 +100,7 @@ def _add_measure(parser: argparse.ArgumentParser) -> None:
     parser.description = "Print a table over all pairs and methods."
     parser.add_argument("file", type=Path, metavar="FILE", help=_FILE)
     parser.add_argument("--id", action="append", metavar="ID", help="only this pair; may be given again")
+    parser.add_argument("--step", type=_step, metavar="N", help="only this step of a project, from 1 (all)")
     _add_methods(parser)
     parser.add_argument(
         "--frames", type=_frame_count, default=101, metavar="N", help="frames looked at (101)"
@@ -110,6 +111,7 @@ def _add_measure(parser: argparse.ArgumentParser) -> None:
 def _add_pair(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("file", type=Path, metavar="FILE", help=_FILE)
     parser.add_argument("--id", metavar="ID", help="the pair; may be left out where there is but one")
+    parser.add_argument("--step", type=_step, metavar="N", help="the step of a project, counted from 1 (1)")
 
 
 def _add_methods(parser: argparse.ArgumentParser) -> None:
@@ -134,6 +136,12 @@ def _add_output(parser: argparse.ArgumentParser, endings: str) -> None:
         "--pieces", action="store_true", help="show the star pieces, where the method has them"
     )
     parser.add_argument("--skeleton", action="store_true", help="show the skeleton, where the method has one")
+
+
+def _step(text: str) -> int:
+    if not text.isdecimal() or not int(text):
+        raise argparse.ArgumentTypeError(f"{text!r} is no number of a step: they count from 1")
+    return int(text)
 
 
 def _frame_count(text: str) -> int:

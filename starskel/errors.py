@@ -1,6 +1,37 @@
 """What can go wrong, in words: every error says what is wrong, where, and how to mend it."""
 
 from collections.abc import Sequence
+from functools import reduce
+
+
+class Told(str):
+    """A text made of a template and values, which it remembers: so it can be told again in another language.
+
+    Attributes
+    ----------
+    template : str
+        The text with names in braces, as `str.format` takes them.
+    values : dict of str to object
+        What was put in their places; texts among them may have been told too.
+    """
+
+    __slots__ = ("template", "values")
+
+    template: str
+    values: dict[str, object]
+
+
+def told(template: str, **values: object) -> Told:
+    """Fill a template. The translation tools look for calls of this name."""
+    text = Told(template.format(**values))
+    text.template = template
+    text.values = values
+    return text
+
+
+def either(names: Sequence[str]) -> str:
+    """Give names as a choice: "a or b or c"."""
+    return reduce(lambda first, second: told("{first} or {second}", first=first, second=second), names)
 
 
 class StarskelError(ValueError):

@@ -6,7 +6,7 @@ import numpy as np
 import shapely
 from numpy.typing import ArrayLike, NDArray
 
-from starskel.errors import InvalidPolygon
+from starskel.errors import InvalidPolygon, told
 from starskel.outline import signed_areas
 from starskel.predicates import LARGEST, ROUNDING, Floats, folds_back, segments_meet
 
@@ -110,13 +110,15 @@ def _as_rows(points: ArrayLike | shapely.Geometry | Polygon) -> Floats:
             raise TypeError
         rows: Floats = given.astype(np.float64)
     except (TypeError, ValueError, OverflowError):
-        raise InvalidPolygon("the points are not numbers", "give rows of x and y") from None
+        raise InvalidPolygon(told("the points are not numbers"), told("give rows of x and y")) from None
     if rows.size == 0:
         rows = rows.reshape(0, 2)
     if rows.ndim != 2 or rows.shape[1] != 2:
         raise InvalidPolygon(f"points of shape {rows.shape}", "give rows of x and y: an (n, 2) array")
     if len(rows) < 3:
-        raise InvalidPolygon(f"a polygon of {len(rows)} points", "give at least 3 vertices")
+        raise InvalidPolygon(
+            told("a polygon of {count} points", count=len(rows)), told("give at least 3 vertices")
+        )
     return rows
 
 
@@ -125,14 +127,14 @@ def _check_numbers(rows: Floats) -> None:
     if len(wrong):
         i = int(wrong[0])
         raise InvalidPolygon(
-            f"vertex {i} is at ({rows[i, 0]:g}, {rows[i, 1]:g})",
-            f"give finite coordinates below {LARGEST:g}",
+            told("vertex {i} is at ({x:g}, {y:g})", i=i, x=rows[i, 0], y=rows[i, 1]),
+            told("give finite coordinates below {largest:g}", largest=LARGEST),
             vertices=wrong.tolist(),
         )
     rows[np.abs(rows) < 1 / LARGEST] = 0.0
     if not np.ptp(rows, axis=0).any():
         raise InvalidPolygon(
-            "all points are the same", "give at least 3 different vertices", place=_place(rows[0])
+            told("all points are the same"), told("give at least 3 different vertices"), place=_place(rows[0])
         )
 
 
@@ -142,8 +144,8 @@ def _check_repeats(rows: Floats) -> None:
     if len(same):
         i, j = sorted((int(order[same[0]]), int(order[same[0] + 1])))
         raise InvalidPolygon(
-            f"vertices {i} and {j} are both at ({rows[i, 0]:g}, {rows[i, 1]:g})",
-            "remove or move one of them",
+            told("vertices {i} and {j} are both at ({x:g}, {y:g})", i=i, j=j, x=rows[i, 0], y=rows[i, 1]),
+            told("remove or move one of them"),
             vertices=(i, j),
             place=_place(rows[i]),
         )
@@ -156,11 +158,19 @@ def _check_simple(rows: Floats) -> None:
     n = len(rows)
     i, j = (int(k) for k in pairs[0])
     if len(pairs) >= n - 1 and not np.abs(signed_areas(rows)) > 0:
-        raise InvalidPolygon("all vertices lie on one line: the area is zero", "move a vertex off the line")
+        raise InvalidPolygon(
+            told("all vertices lie on one line: the area is zero"), told("move a vertex off the line")
+        )
     place = _place(meeting_places(rows, pairs[:1])[0])
     raise InvalidPolygon(
-        f"edges {i}-{(i + 1) % n} and {j}-{(j + 1) % n} cross or touch at ({place[0]:g}, {place[1]:g})",
-        "move or remove one of these vertices",
+        told(
+            "edges {first} and {second} cross or touch at ({x:g}, {y:g})",
+            first=f"{i}-{(i + 1) % n}",
+            second=f"{j}-{(j + 1) % n}",
+            x=place[0],
+            y=place[1],
+        ),
+        told("move or remove one of these vertices"),
         vertices=(i, (i + 1) % n, j, (j + 1) % n),
         place=place,
     )
@@ -176,8 +186,14 @@ def _check_clearance(rows: Floats) -> None:
     if len(foreign):
         i, j = int(vertex[foreign[0]]), int(edge[foreign[0]])
         raise InvalidPolygon(
-            f"vertex {i} all but touches edge {j}-{(j + 1) % n} at ({rows[i, 0]:g}, {rows[i, 1]:g})",
-            "move it away from the edge, or move the shape nearer to the coordinates' origin",
+            told(
+                "vertex {i} all but touches edge {edge} at ({x:g}, {y:g})",
+                i=i,
+                edge=f"{j}-{(j + 1) % n}",
+                x=rows[i, 0],
+                y=rows[i, 1],
+            ),
+            told("move it away from the edge, or move the shape nearer to the coordinates' origin"),
             vertices=(i, j, (j + 1) % n),
             place=_place(rows[i]),
         )

@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 import shapely
 
-from starskel.errors import InvalidPolygon
+from starskel.errors import InvalidPolygon, told
 from starskel.points import Points
 from starskel.predicates import Floats, Indices
 
@@ -107,8 +107,13 @@ def _cut_ears(points: Points, corners: Indices) -> Indices:
         elif (tried := tried + 1) > len(left):
             x, y = points.coordinates[corners[ear[1]]]
             raise InvalidPolygon(
-                f"the polygon all but touches itself near vertex {corners[ear[1]]}, at ({x:g}, {y:g})",
-                "move this vertex, or those next to it, apart",
+                told(
+                    "the polygon all but touches itself near vertex {i}, at ({x:g}, {y:g})",
+                    i=corners[ear[1]],
+                    x=x,
+                    y=y,
+                ),
+                told("move this vertex, or those next to it, apart"),
                 vertices=(int(corners[ear[1]]),),
                 place=(float(x), float(y)),
             )

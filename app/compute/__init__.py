@@ -2,7 +2,7 @@
 
 from app.compute.blends import UNHURRIED, Blends
 from app.compute.computer import Computer
-from app.compute.request import STEERED, Failure, MethodState, Motion, Request, Result, Subject
+from app.compute.request import STEERED, Failure, MethodState, Motion, Request, Result, Subject, subjects_of
 from app.compute.trace import Trace, trace_of
 
 __all__ = [
@@ -17,5 +17,6 @@ __all__ = [
     "Result",
     "Subject",
     "Trace",
+    "subjects_of",
     "trace_of",
 ]

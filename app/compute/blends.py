@@ -7,11 +7,13 @@ from app.compute.request import Failure, MethodState, Proposal, Request, Result,
 from starskel import METHODS
 
 REMEMBERED = 40
-"""So many results are kept, so that undo, and a gesture given up, need not compute anew."""
+"""So many results are kept besides those shown: undo, and a gesture given up, compute nothing anew."""
 
 
 UNHURRIED = frozenset({"certified"})
 """Methods too slow to follow a gesture; they are computed when it ends."""
+
+States = dict[str, MethodState]
 
 
 class Blends(QObject):
@@ -19,8 +21,8 @@ class Blends(QObject):
 
     Attributes
     ----------
-    results : dict of str to MethodState
-        For each method what there is to show.
+    steps : tuple of dict of str to MethodState
+        For each step, and in it for each method, what there is to show.
     """
 
     changed = Signal()
@@ -31,8 +33,9 @@ class Blends(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.results: dict[str, MethodState] = {}
-        self._subject: Subject | None = None
+        self.steps: tuple[States, ...] = ({},)
+        self._subjects: tuple[Subject | None, ...] = (None,)
+        self._first = 0
         self._memory: dict[tuple[str, Subject], Result] = {}
         self._computer = Computer(self)
         self._computer.delivered.connect(self._take)
@@ -46,45 +49,56 @@ class Blends(QObject):
         return self._computer.busy
 
     @property
+    def results(self) -> States:
+        """For each method what there is to show of the step that comes first."""
+        return self.steps[self._first]
+
+    @property
     def fresh(self) -> tuple[Result, ...]:
-        """The blends of the shapes as they are now, in the order in which they are shown."""
+        """The blends of the first step as it is now, in the order in which they are shown."""
         states = self.results.values()
         return tuple(state.result for state in states if state.result is not None and not state.stale)
 
-    def show(self, subject: Subject | None, methods: tuple[str, ...], *, live: bool = False) -> None:
-        """Have these methods blend this, or nothing; results that hold are kept, what is missing is computed.
+    def show(
+        self,
+        subjects: tuple[Subject | None, ...],
+        first: int,
+        methods: tuple[str, ...],
+        *,
+        live: bool = False,
+    ) -> None:
+        """Have these methods blend these, one a step; results that hold are kept, the others computed.
 
-        `live` says that a gesture is under way and more of the kind will follow.
+        The step `first` is computed before all others. `live` says that a gesture under way changes it and
+        more of the kind will follow.
         """
-        former, same = self._subject, subject == self._subject
+        same = subjects == self._subjects
         if live and same:
             return
-        self._subject = subject
-        if subject is None:
+        self.steps = tuple(self._states(step, subjects, methods) for step in range(len(subjects)))
+        self._subjects, self._first = subjects, first
+        wanted = self._wanted(live)
+        if wanted:
+            self._computer.request(*wanted)
+        elif not same:
             self._computer.cancel()
-            self.results = {method: MethodState() for method in methods}
-        else:
-            self.results = {method: self._state(method, subject, former) for method in methods}
-            if wanted := self._wanted(live):
-                self._computer.request(Request(subject, wanted, live))
-            elif not same:
-                self._computer.cancel()
         self.changed.emit()
 
     def suggest(self, count: int) -> None:
-        """Ask for so many marks of what is blended."""
-        if self._subject is not None:
-            self._computer.suggest(Proposal(self._subject.source, self._subject.target, count))
+        """Ask for so many marks of the first step."""
+        subject = self._subjects[self._first]
+        if subject is not None:
+            self._computer.suggest(Proposal(subject.source, subject.target, count))
 
     def recompute(self) -> None:
         """Compute all of them anew."""
-        subject, self._subject = self._subject, None
+        subjects, self._subjects = self._subjects, (None,) * len(self._subjects)
         self._memory.clear()
-        self.show(subject, tuple(self.results))
+        self.show(subjects, self._first, tuple(self.results))
 
     def forget(self) -> None:
         """Show nothing until something else is blended."""
-        self._subject, self.results = None, {}
+        self._subjects, self.steps, self._first = (None,), ({},), 0
         self._memory.clear()
 
     def cancel(self) -> None:
@@ -95,33 +109,62 @@ class Blends(QObject):
         """End the worker; to be called before the program ends."""
         self._computer.close()
 
-    def _state(self, method: str, subject: Subject, former: Subject | None) -> MethodState:
-        known = self.results.get(method, MethodState())
-        if not known.stale and former is not None and former.of(method) == subject.of(method):
-            return known
-        remembered = self._memory.get((method, subject.of(method)))
-        return known.outdated() if remembered is None else known.after(remembered)
+    def _states(self, step: int, subjects: tuple[Subject | None, ...], methods: tuple[str, ...]) -> States:
+        subject = subjects[step]
+        if subject is None:
+            return {method: MethodState() for method in methods}
+        return {method: self._state(step, subject, method, len(subjects)) for method in methods}
 
-    def _wanted(self, live: bool) -> tuple[str, ...]:
-        """Give the methods to compute, the simplest first, so that there is something to see at once.
+    def _state(self, step: int, subject: Subject, method: str, count: int) -> MethodState:
+        """Give what holds; else, while steps are as many as before, the old, which is better than nothing."""
+        own = subject.of(method)
+        known = self.steps[step].get(method, MethodState()) if count == len(self.steps) else MethodState()
+        for former, states in zip(self._subjects, self.steps, strict=True):
+            if former is not None and former.of(method) == own and method in states:
+                known = states[method]
+                break
+        else:
+            known = known.outdated()
+        remembered = self._memory.get((method, own))
+        return known.after(remembered) if known.stale and remembered is not None else known
 
-        What did not settle during a gesture is computed anew when it ends.
-        """
-        shown = [(method, self.results[method]) for method in METHODS if method in self.results]
-        if live:
-            return tuple(method for method, state in shown if state.stale and method not in UNHURRIED)
-        return tuple(method for method, state in shown if state.stale or not state.settled)
+    def _wanted(self, live: bool) -> tuple[Request, ...]:
+        """Give what to compute: the first step, those after, those before it; of a gesture the first."""
+        order = [*range(self._first, len(self.steps)), *range(self._first)]
+        found: dict[Subject, Request] = {}
+        for step in order[:1] if live else order:
+            subject, states = self._subjects[step], self.steps[step]
+            # the simplest first, so that there is something to see at once; in a gesture there already is
+            known = (m for m in (states if live else METHODS) if m in states)
+            methods = tuple(m for m in known if _is_wanted(m, states[m], live))
+            if subject is not None and methods:
+                found.setdefault(subject, Request(subject, methods, live))
+        return tuple(found.values())
 
-    @Slot(object)
-    def _take(self, outcome: Result | Failure) -> None:
+    @Slot(object, object)
+    def _take(self, subject: Subject, outcome: Result | Failure) -> None:
         behind = self._computer.behind
-        if outcome.method in self.results:
-            self.results[outcome.method] = self.results[outcome.method].after(outcome, stale=behind)
-            self.changed.emit()
-        if isinstance(outcome, Result) and self._subject is not None and not behind:
-            self._remember(self._subject, outcome)
+        # a gesture has gone on where it is behind: what comes late is still nearer to it than what is shown
+        places = [self._first] if behind else self._places(subject.of(outcome.method), outcome.method)
+        for states in (self.steps[place] for place in places):
+            if outcome.method in states:
+                states[outcome.method] = states[outcome.method].after(outcome, stale=behind)
+        self.changed.emit()
+        if isinstance(outcome, Result) and not behind:
+            self._remember(subject.of(outcome.method), outcome)
+
+    def _places(self, subject: Subject, method: str) -> list[int]:
+        return [k for k, own in enumerate(self._subjects) if own is not None and own.of(method) == subject]
 
     def _remember(self, subject: Subject, result: Result) -> None:
-        self._memory[result.method, subject.of(result.method)] = result
-        while len(self._memory) > REMEMBERED:
-            del self._memory[next(iter(self._memory))]
+        self._memory[result.method, subject] = result
+        spare = [key for key in self._memory if not self._places(key[1], key[0])]
+        for key in spare[: max(len(spare) - REMEMBERED, 0)]:
+            del self._memory[key]
+
+
+def _is_wanted(method: str, state: MethodState, live: bool) -> bool:
+    """Tell whether to compute: what failed would fail again; what a gesture left unsettled is taken up."""
+    if state.error is not None:
+        return False
+    return (state.stale and method not in UNHURRIED) if live else (state.stale or not state.settled)

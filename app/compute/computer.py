@@ -9,18 +9,28 @@ would ever be finished; so the newest of them waits until the one being worked o
 """
 
 from dataclasses import replace
+from importlib import import_module
 from time import monotonic
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QThread, Signal, Slot
 
-from app.compute.job import Job
+import starskel
 from app.compute.request import Failure, Proposal, Request, Result
 from app.model.marks import Marks
-from starskel import suggest_marks
 from starskel.errors import Cancelled
+
+if TYPE_CHECKING:
+    from app.compute.job import Job
 
 PATIENCE = 0.05
 """Seconds after which a request of a gesture gives way to a newer one, as soon as a method is done."""
+
+
+def _job_class() -> "type[Job]":
+    """Give the class that computes; it is loaded in the worker's thread, so that the window opens sooner."""
+    chosen: type[Job] = import_module("app.compute.job").Job
+    return chosen
 
 
 class Worker(QObject):
@@ -48,7 +58,7 @@ class Worker(QObject):
         def report(method: str, fraction: float) -> None:
             self.progressed.emit(request.generation, method, fraction)
 
-        job = Job(request, is_old, report)
+        job = _job_class()(request, is_old, report)
         left = list(request.methods)
         try:
             while left and not (self.hurried and monotonic() - begun > PATIENCE):
@@ -65,7 +75,9 @@ class Worker(QObject):
             return self.newest != proposal.generation
 
         try:
-            marks = suggest_marks(proposal.source, proposal.target, proposal.count, should_stop=is_old)
+            marks = starskel.suggest_marks(
+                proposal.source, proposal.target, proposal.count, should_stop=is_old
+            )
         except Cancelled:
             return
         self.suggested.emit(proposal.generation, tuple(marks))
@@ -74,7 +86,8 @@ class Worker(QObject):
 class Computer(QObject):
     """The window's end of the worker: sends requests, passes on what still matters."""
 
-    delivered = Signal(object)
+    delivered = Signal(object, object)
+    """What was blended, and the Result or Failure of one method."""
     progressed = Signal(str, float)
     busy_changed = Signal(bool)
     suggested = Signal(object)
@@ -86,6 +99,7 @@ class Computer(QObject):
         self.busy = False
         self._running: Request | None = None
         self._waiting: Request | None = None
+        self._later: list[Request] = []
         self._worker = Worker()
         self._thread = QThread(self)
         self._worker.moveToThread(self._thread)
@@ -102,8 +116,12 @@ class Computer(QObject):
         """Whether what is being computed has been overtaken by a newer request, which waits."""
         return self._waiting is not None
 
-    def request(self, request: Request) -> None:
-        """Compute this instead of what is being computed; that of a gesture may first finish its method."""
+    def request(self, request: Request, *later: Request) -> None:
+        """Compute this instead of what is being computed; that of a gesture may first finish its method.
+
+        What is wanted later is computed in order when there is nothing else to do.
+        """
+        self._later = list(later)
         if request.live and self._running is not None and self._running.live:
             self._waiting = request
             self._worker.hurried = True
@@ -136,12 +154,13 @@ class Computer(QObject):
 
     def _rest(self) -> None:
         self._running = self._waiting = None
+        self._later = []
         self._set_busy(False)
 
     @Slot(int, object)
     def _deliver(self, generation: int, outcome: Result | Failure) -> None:
-        if generation == self._worker.newest:
-            self.delivered.emit(outcome)
+        if generation == self._worker.newest and self._running is not None:
+            self.delivered.emit(self._running.subject, outcome)
 
     @Slot(int, object)
     def _suggest(self, generation: int, marks: Marks) -> None:
@@ -159,7 +178,10 @@ class Computer(QObject):
         """Go on with the request that waits; the methods that gave way to it are first in turn."""
         if generation != self._worker.newest:
             return
-        if self._waiting is None:
+        if self._waiting is None and self._later:
+            following, *self._later = self._later
+            self._send(following)
+        elif self._waiting is None:
             self._rest()
         else:
             others = tuple(method for method in self._waiting.methods if method not in left)

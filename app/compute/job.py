@@ -4,6 +4,7 @@ import traceback
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
+from time import monotonic
 
 import numpy as np
 
@@ -15,6 +16,9 @@ from starskel.task import ShouldStop
 
 SAMPLES = np.linspace(0, 1, 41)
 """The moments of the frames that a result keeps."""
+
+QUIET = 0.1
+"""Seconds without a report of progress, at first and between two: for each the window paints at once."""
 
 
 class Job:
@@ -36,7 +40,7 @@ class Job:
         self._pair: Correspondence | None = None
         self._decomposition: Decomposition | None = None
         self._unsettled: list[Result] = []
-        self._percent = -1
+        self._percent, self._said = -1, monotonic()
 
     def outcome(self, method: str) -> Result | Failure:
         """Blend by one method as soon as can be, and measure.
@@ -122,8 +126,8 @@ class Job:
             raise Cancelled
         steps = len(self._request.methods) + max(1, len(self._unsettled)) * (not self._request.live)
         percent = int(100 * (step + fraction) / steps)
-        if percent > self._percent:
-            self._percent = percent
+        if percent > self._percent and monotonic() - self._said > QUIET:
+            self._percent, self._said = percent, monotonic()
             self._say(method, percent / 100)
 
 

@@ -1,11 +1,14 @@
 """What is asked of the worker, and what comes back."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
 from app.model.document import Point
 from app.model.marks import Marks
+from app.model.sequence import Sequence
 from starskel import Blend, Report
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
@@ -52,6 +55,16 @@ class Subject:
     def of(self, method: str) -> "Subject":
         """Leave out what makes no difference to a method."""
         return self if method == STEERED else replace(self, motion=Motion())
+
+
+def subjects_of(sequence: Sequence, motions: Mapping[int, Motion]) -> tuple[Subject | None, ...]:
+    """Give what is to be blended in each step, None where a shape is missing."""
+    return tuple(
+        None if source is None or target is None else Subject(source, target, marks, motions.get(k, Motion()))
+        for k, ((source, target), marks) in enumerate(
+            zip(pairwise(sequence.shapes), sequence.marks, strict=True)
+        )
+    )
 
 
 @dataclass(frozen=True)

@@ -2,22 +2,56 @@
 
 from collections.abc import Callable, Collection
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
 from app.model import marks as pins
-from app.model.marks import Marks, Side
-from starskel.correspondence.marks import Mark, checked_marks
-from starskel.errors import InvalidMarks, InvalidPolygon
+from app.model.marks import SIDES, Marks, Side
+from app.model.sequence import USUAL, Sequence, check_step
+from starskel.errors import InvalidPolygon, told
+from starskel.files.picture import Picture
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
 
 Point = tuple[float, float]
 
+Place = Callable[[int], int | None]
+"""Where each vertex of a shape has gone, None where it is no more."""
+
+
+def _unmoved(vertex: int) -> int:
+    return vertex
+
+
+@dataclass(frozen=True)
+class Neighbour:
+    """A key shape that is not on the canvases, and the step that joins it to the next one nearer to them.
+
+    Attributes
+    ----------
+    shape : Polygon or None
+    marks : tuple of (int, int)
+        The marks of the step, from its source to its target.
+    duration : float
+        How long the step takes.
+    picture : Picture or None
+        What is behind the shape.
+    """
+
+    shape: Polygon | None
+    marks: Marks = ()
+    duration: float = USUAL
+    picture: Picture | None = None
+
+    def following(self, side: Side, place: Place) -> "Neighbour":
+        """Give it after vertices of the shape on that side of its step went to other places."""
+        return replace(self, marks=pins.followed(self.marks, side, place))
+
 
 @dataclass(frozen=True)
 class Document:
-    """Two shapes, what corresponds, and the methods to compare.
+    """Key shapes in order, two neighbours of them to be edited, and the methods to compare.
 
     Every verb gives a new document, or raises the `StarskelError` that says why it cannot: what is not a
     simple polygon, and marks that cross, never get in.
@@ -27,11 +61,17 @@ class Document:
     name : str
         What the user calls it.
     source, target : Polygon or None
-        The shapes, None where nothing has been drawn yet.
+        The two shapes on the canvases, None where nothing has been drawn yet.
     marks : tuple of (int, int)
         A vertex of the source, a vertex of the target, in the order in which they were set.
     methods : tuple of str
         Names of the blending methods shown side by side.
+    duration : float
+        How long the step from source to target takes.
+    before, after : tuple of Neighbour
+        The shapes that come before the source and after the target, in order.
+    pictures : (Picture or None, Picture or None)
+        What is behind the source and behind the target, to draw over it.
     """
 
     name: str = ""
@@ -39,12 +79,99 @@ class Document:
     target: Polygon | None = None
     marks: Marks = ()
     methods: tuple[str, ...] = ()
+    duration: float = USUAL
+    before: tuple[Neighbour, ...] = ()
+    after: tuple[Neighbour, ...] = ()
+    pictures: tuple[Picture | None, Picture | None] = (None, None)
 
     def __post_init__(self) -> None:
-        if self.source is not None and self.target is not None:
-            checked_marks(self.source, self.target, self.marks)
-        elif self.marks:
-            raise InvalidMarks("there are marks, but not both shapes", "draw both shapes first", self.marks)
+        check_step(self.source, self.target, self.marks)
+        if self.before:
+            check_step(self.before[-1].shape, self.source, self.before[-1].marks)
+        if self.after:
+            check_step(self.target, self.after[0].shape, self.after[0].marks)
+
+    # the whole sequence
+
+    @property
+    def step(self) -> int:
+        """Which step is on the canvases, counted from 0."""
+        return len(self.before)
+
+    @cached_property
+    def sequence(self) -> Sequence:
+        """All shapes, with the marks and the duration of each step."""
+        steps = (*self.before, Neighbour(self.source, self.marks, self.duration), *self.after)
+        former, later = ([each.shape for each in part] for part in (self.before, self.after))
+        return Sequence(
+            (*former, self.source, self.target, *later),
+            tuple(each.marks for each in steps),
+            tuple(each.duration for each in steps),
+            (*(each.picture for each in self.before), *self.pictures, *(each.picture for each in self.after)),
+        )
+
+    def shape_on(self, side: Side) -> int:
+        """Give the number in the sequence of the shape on this side, from 0 on."""
+        return self.step + (side == "target")
+
+    def showing(self, step: int) -> "Document":
+        """Give the same document with another step on the canvases."""
+        return self.arranged(self.sequence, step) if step != self.step else self
+
+    def arranged(self, sequence: Sequence, step: int) -> "Document":
+        """Replace the whole sequence, with this step of it on the canvases."""
+        shapes, marks, durations = sequence.shapes, sequence.marks, sequence.durations
+        pictures = sequence.pictures
+        before = zip(shapes[:step], marks[:step], durations[:step], pictures[:step], strict=True)
+        after = zip(
+            shapes[step + 2 :], marks[step + 1 :], durations[step + 1 :], pictures[step + 2 :], strict=True
+        )
+        return replace(
+            self,
+            source=shapes[step],
+            target=shapes[step + 1],
+            marks=marks[step],
+            duration=durations[step],
+            before=tuple(Neighbour(*each) for each in before),
+            after=tuple(Neighbour(*each) for each in after),
+            pictures=(pictures[step], pictures[step + 1]),
+        )
+
+    def add_shape(self, after: int) -> "Document":
+        """Put an empty shape behind another, and show the step to it."""
+        return self.arranged(self.sequence.added(after), after)
+
+    def duplicate_shape(self, shape: int) -> "Document":
+        """Put a copy behind a shape, and show the step to it; both correspond where the shape is marked."""
+        return self.arranged(self.sequence.duplicated(shape), shape)
+
+    def delete_shape(self, shape: int) -> "Document":
+        """Take a shape out of the sequence.
+
+        Raises
+        ------
+        StarskelError
+            If there are but two.
+        """
+        rest = self.sequence.without(shape)
+        return self.arranged(rest, min(max(shape - 1, 0), rest.steps - 1))
+
+    def move_shape(self, shape: int, to: int) -> "Document":
+        """Move a shape to another number in the sequence, and show a step of it."""
+        step = to if self.shape_on("source") == shape else to - 1
+        return self.arranged(self.sequence.moved(shape, to), min(max(step, 0), self.sequence.steps - 1))
+
+    def set_duration(self, step: int, duration: float) -> "Document":
+        """Let a step take so long.
+
+        Raises
+        ------
+        StarskelError
+            If that is too short to be seen.
+        """
+        return self.arranged(self.sequence.timed(step, duration), self.step)
+
+    # the two shapes on the canvases
 
     def polygon(self, side: Side) -> Polygon | None:
         """Give the shape on this side."""
@@ -55,9 +182,18 @@ class Document:
         polygon = self.polygon(side)
         return polygon.vertices if polygon is not None else np.empty((0, 2))
 
+    def picture(self, side: Side) -> Picture | None:
+        """Give what is behind the shape on this side."""
+        return self.pictures[SIDES.index(side)]
+
+    def put_picture(self, side: Side, picture: Picture | None) -> "Document":
+        """Put a picture behind the shape on this side, or take it away."""
+        source, target = self.pictures
+        return replace(self, pictures=(picture, target) if side == "source" else (source, picture))
+
     def draw(self, side: Side, polygon: Polygon | None) -> "Document":
         """Replace a whole shape, or remove it; its marks go with it."""
-        return self._with(side, polygon, ())
+        return self._with(side, polygon, lambda _: None)
 
     def moved(self, side: Side, vertices: Collection[int], offset: Point) -> Floats:
         """Give the ring with some vertices moved, simple or not."""
@@ -87,7 +223,7 @@ class Document:
         InvalidMarks
             If the shape is turned inside out so that marks cross.
         """
-        return self._reshape(side, ring, self.marks)
+        return self._reshape(side, ring)
 
     def insert(self, side: Side, edge: int, point: Point) -> "Document":
         """Insert a vertex on the edge that starts at vertex `edge`; its index is `edge` + 1.
@@ -98,7 +234,7 @@ class Document:
             If edges would cross.
         """
         ring = np.insert(self.vertices(side), edge + 1, point, axis=0)
-        return self._reshape(side, ring, pins.after_insertion(self.marks, side, edge + 1))
+        return self._reshape(side, ring, pins.after_insertion(edge + 1))
 
     def delete(self, side: Side, vertices: Collection[int]) -> "Document":
         """Delete vertices with their marks; deleting all of them removes the shape.
@@ -113,13 +249,13 @@ class Document:
             return self.draw(side, None)
         if len(ring) < 3:
             raise InvalidPolygon(
-                f"{len(ring)} vertices would be left, and a polygon has at least 3",
-                "select all vertices to delete the whole shape",
+                told("{count} vertices would be left, and a polygon has at least 3", count=len(ring)),
+                told("select all vertices to delete the whole shape"),
                 place=(float(ring[0, 0]), float(ring[0, 1])),
             )
-        return self._reshape(side, ring, pins.after_deletion(self.marks, side, vertices))
+        return self._reshape(side, ring, pins.after_deletion(vertices))
 
-    def reform(self, side: Side, ring: Floats, place: Callable[[int], int | None]) -> "Document":
+    def reform(self, side: Side, ring: Floats, place: Place) -> "Document":
         """Give a shape another ring; `place` tells where each vertex is in it, None where it is gone.
 
         Raises
@@ -129,18 +265,16 @@ class Document:
         InvalidMarks
             If the shape is turned inside out so that marks cross.
         """
-        ends = ((mark, place(pins.end(mark, side))) for mark in self.marks)
-        marks = tuple(pins.with_end(mark, side, vertex) for mark, vertex in ends if vertex is not None)
-        return self._reshape(side, ring, marks)
+        return self._reshape(side, ring, place)
 
     def marked(self, side: Side) -> tuple[int, ...]:
-        """Give the vertices on this side that are marked."""
-        return tuple(pins.end(mark, side) for mark in self.marks)
+        """Give the vertices on this side that are marked, in this step or in the other one of the shape."""
+        number = self.shape_on(side)
+        return tuple(vertex for vertex, _ in self.sequence.marks_between(number, number))
 
     def exchanged(self) -> "Document":
         """Exchange source and target."""
-        marks = tuple((target, source) for source, target in self.marks)
-        return replace(self, source=self.target, target=self.source, marks=marks)
+        return self.arranged(self.sequence.moved(self.step, self.step + 1), self.step)
 
     def mark(self, source: int, target: int) -> "Document":
         """Add the mark that these vertices correspond.
@@ -186,26 +320,36 @@ class Document:
     def _marks_but(self, index: int) -> Marks:
         return self.marks[:index] + self.marks[index + 1 :]
 
-    def _reshape(self, side: Side, ring: Floats, marks: Marks) -> "Document":
-        """Check the ring and store it; where it now runs clockwise the marks follow its new indices."""
+    def _reshape(self, side: Side, ring: Floats, place: Place = _unmoved) -> "Document":
+        """Check the ring and store it; `place` tells which point of it each former vertex is now.
+
+        Where the ring runs clockwise the marks follow its new indices.
+        """
         polygon = Polygon(ring)
-        follow = tuple(self._following(mark, side, polygon) for mark in marks)
-        return self._with(side, polygon, follow)
 
-    @staticmethod
-    def _following(mark: Mark, side: Side, polygon: Polygon) -> Mark:
-        return pins.with_end(mark, side, polygon.vertex_of(pins.end(mark, side)))
+        def vertex(former: int) -> int | None:
+            given = place(former)
+            return None if given is None else polygon.vertex_of(given)
 
-    def _with(self, side: Side, polygon: Polygon | None, marks: Marks) -> "Document":
+        return self._with(side, polygon, vertex)
+
+    def _with(self, side: Side, polygon: Polygon | None, place: Place) -> "Document":
         """Store a shape; it forgets in which order it was given, so that marks mean its own vertices."""
         own = Polygon(polygon.vertices) if polygon is not None else None
+        marks = pins.followed(self.marks, side, place)
         if side == "source":
-            return replace(self, source=own, marks=marks)
-        return replace(self, target=own, marks=marks)
+            before = (*self.before[:-1], *(each.following("target", place) for each in self.before[-1:]))
+            return replace(self, source=own, marks=marks, before=before)
+        after = (*(each.following("source", place) for each in self.after[:1]), *self.after[1:])
+        return replace(self, target=own, marks=marks, after=after)
 
 
 def lost_marks(before: Document, after: Document) -> int:
-    """Count the marks that an edit of the shapes took along."""
-    if (before.source, before.target) == (after.source, after.target):
+    """Count the marks that an edit of shapes took along from those that are still there."""
+    former, later = before.sequence, after.sequence
+    if former.shapes == later.shapes:
         return 0
-    return max(len(before.marks) - len(after.marks), 0)
+    if set(later.shapes) - {None} <= set(former.shapes):
+        gone = {end for end in former.marked - later.marked if end[0] in later.shapes}
+        return sum(not gone.isdisjoint(ends) for ends in former.ends)
+    return max(sum(map(len, former.marks)) - sum(map(len, later.marks)), 0)

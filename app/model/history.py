@@ -63,6 +63,12 @@ class History:
             position -= 1
         return History((*self.steps[: position + 1], Step(document, name, joins)), position + 1)
 
+    def showing(self, step: int) -> "History":
+        """Show another step of the document: no edit, so nothing is forgotten and nothing can be undone."""
+        here = self.steps[self.position]
+        seen = replace(here, document=here.document.showing(step))
+        return replace(self, steps=(*self.steps[: self.position], seen, *self.steps[self.position + 1 :]))
+
     def undo(self) -> "History":
         """Go one step back, where there is one."""
         return replace(self, position=max(self.position - 1, 0))

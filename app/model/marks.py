@@ -1,6 +1,6 @@
 """Marks kept in step with the vertices that they name."""
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from typing import Literal
 
 from starskel.correspondence.marks import Mark
@@ -44,16 +44,29 @@ def _turns(a: Mark, b: Mark, c: Mark, side: int) -> bool:
     return (a[side] < b[side]) + (b[side] < c[side]) + (c[side] < a[side]) == 2
 
 
-def after_insertion(marks: Marks, side: Side, vertex: int) -> Marks:
-    """Give the marks after a new vertex took this index."""
-    ends = (end(mark, side) for mark in marks)
-    return tuple(with_end(mark, side, v + (v >= vertex)) for mark, v in zip(marks, ends, strict=True))
-
-
-def after_deletion(marks: Marks, side: Side, vertices: Collection[int]) -> Marks:
-    """Give the marks after these vertices are gone, and their marks with them."""
+def followed(marks: Marks, side: Side, place: Callable[[int], int | None]) -> Marks:
+    """Give the marks after the vertices of one side went to other places; None takes a mark along."""
     return tuple(
-        with_end(mark, side, v - sum(gone < v for gone in vertices))
-        for mark in marks
-        if (v := end(mark, side)) not in vertices
+        with_end(mark, side, vertex) for mark in marks if (vertex := place(end(mark, side))) is not None
     )
+
+
+def reversed_marks(marks: Marks) -> Marks:
+    """Give the marks of the way back."""
+    return tuple((target, source) for source, target in marks)
+
+
+def composed(first: Marks, second: Marks) -> Marks:
+    """Give the marks that lead by way of a shape between; those that end there are left out."""
+    onward = dict(second)
+    return tuple((source, onward[middle]) for source, middle in first if middle in onward)
+
+
+def after_insertion(vertex: int) -> Callable[[int], int]:
+    """Give where vertices are after a new one took this index."""
+    return lambda v: v + (v >= vertex)
+
+
+def after_deletion(vertices: Collection[int]) -> Callable[[int], int | None]:
+    """Give where vertices are after these are gone."""
+    return lambda v: None if v in vertices else v - sum(gone < v for gone in vertices)

@@ -9,7 +9,7 @@ import numpy as np
 from app.model.curves import flattened
 from app.model.svg_path import Curve, PathError, subpaths
 from app.model.transforms import box_of
-from starskel.errors import InvalidFile
+from starskel.errors import InvalidFile, told
 from starskel.files.numbers import decimal
 from starskel.predicates import Floats
 
@@ -43,11 +43,11 @@ def outlines_of(svg: str) -> tuple[Floats, ...]:
         If it is damaged, or declares entities, which could make it swell without end.
     """
     if "<!ENTITY" in svg:
-        raise InvalidFile("the SVG declares entities", "save it as plain SVG")
+        raise InvalidFile(told("the SVG declares entities"), told("save it as plain SVG"))
     try:
         found = [_lines(path) for path in _paths(ElementTree.fromstring(svg), np.eye(3))]
     except (ElementTree.ParseError, PathError, ValueError) as error:
-        raise InvalidFile(f"the SVG is damaged: {error}", "copy it again") from error
+        raise InvalidFile(told("the SVG is damaged: {error}", error=error), told("copy it again")) from error
     rings = [ring for ring in found if len(ring) >= 3]
     return tuple(sorted(rings, key=lambda ring: -float(np.prod(np.ptp(ring, axis=0)))))
 

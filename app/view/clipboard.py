@@ -6,7 +6,7 @@ from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
 from app.model.svg_outline import outline_svg, outlines_of
-from starskel.errors import InvalidFile
+from starskel.errors import InvalidFile, told
 from starskel.predicates import Floats
 
 OWN = "application/x-starskel-shape"
@@ -38,7 +38,8 @@ def copied_ring() -> Floats:
     found = outlines_of(_svg(data))
     if not found:
         raise InvalidFile(
-            "there is no outline on the clipboard", "copy a shape here, or a path in another program"
+            told("there is no outline on the clipboard"),
+            told("copy a shape here, or a path in another program"),
         )
     return found[0]
 

@@ -57,8 +57,10 @@ class FrameView(QWidget):
 
     def show_blend(self, state: MethodState, extent: Floats, message: str) -> None:
         """Show another blend; the extent is what must fit in, the message is for when there is none."""
-        self._state, self._extent, self.message = state, extent, message
-        self._aim()
+        same = state is self._state and message == self.message and np.array_equal(extent, self._extent)
+        if not same:
+            self._state, self._extent, self.message = state, extent, message
+            self._aim()
 
     # the view
 

@@ -6,13 +6,13 @@ import traceback
 from pathlib import Path
 from types import TracebackType
 
-from PySide6.QtCore import QObject, Qt, Signal, Slot
+from PySide6.QtCore import QLocale, QObject, Qt, Signal, Slot
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from app.session import Session
+from app.view.language import chosen, speak, spoken
 from app.view.main_window import MainWindow
 from app.view.theme import DARK, LIGHT, apply_theme
-from starskel.files.examples import example
 
 FIRST_EXAMPLE = "arm"
 
@@ -54,6 +54,8 @@ def run(path: Path | None) -> int:
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # Qt's loop would keep Ctrl+C in a terminal waiting
     application = QApplication(sys.argv[:1])
     application.setApplicationName("starskel")
+    application.setOrganizationName("starskel")
+    speak(application, spoken(chosen(), QLocale.system()))
     scheme = application.styleHints().colorScheme()
     apply_theme(application, DARK if scheme == Qt.ColorScheme.Dark else LIGHT)
     window = MainWindow(Session())
@@ -62,6 +64,6 @@ def run(path: Path | None) -> int:
     if path is not None:
         window.files.open(path)
     else:
-        window.session.show_project(example(FIRST_EXAMPLE))
+        window.files.open_example(FIRST_EXAMPLE)
         window.player.play()
     return application.exec()

@@ -17,7 +17,7 @@ from starskel.sheet.rows import page_sheets, row_sheet
 def run(arguments: Namespace) -> int:
     """Blend the pair by the method and write its keyframes."""
     ending = ending_of(arguments.output, (*WRITERS, ".json"))
-    pair = chosen_pair(arguments.file, arguments.id)
+    pair = chosen_pair(arguments.file, arguments.id, arguments.step)
     ((_, made),) = blends(pair, [arguments.method])
     times = times_of(arguments)
     if ending == ".json":

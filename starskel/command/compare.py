@@ -15,7 +15,7 @@ from starskel.sheet.keyframe import keyframes
 def run(arguments: Namespace) -> int:
     """Blend the pair by every method and write the sheet."""
     ending = ending_of(arguments.output, tuple(WRITERS))
-    pair = chosen_pair(arguments.file, arguments.id)
+    pair = chosen_pair(arguments.file, arguments.id, arguments.step)
     times, shown = times_of(arguments), shown_of(arguments)
     rows = []
     for method, blend in blends(pair, arguments.method or COMPARED):

@@ -95,7 +95,7 @@ class _Document(msgspec.Struct, frozen=True):
 
 def run(arguments: Namespace) -> int:
     """Measure, and print what was found; pairs that fail are named and the others go on."""
-    file = opened(arguments.file)
+    file = opened(arguments.file, arguments.step)
     ids = _ids(file, arguments.id)
     methods = arguments.method or COMPARED
     table = None if arguments.json else _Table(ids, methods)

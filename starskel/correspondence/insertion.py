@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from starskel.errors import InvalidPolygon
+from starskel.errors import InvalidPolygon, told
 from starskel.outline import edge_lengths
 from starskel.predicates import ROUNDING, Floats, Indices
 
@@ -135,8 +135,13 @@ def _refuse_crowds(points: Floats, edges: Indices) -> None:
     if len(touching):
         x, y = points[touching[0]]
         raise InvalidPolygon(
-            f"the edge from vertex {edges[touching[0]]} at ({x:g}, {y:g}) is too short for new vertices",
-            "remove that vertex or mark more correspondences nearby",
+            told(
+                "the edge from vertex {i} at ({x:g}, {y:g}) is too short for new vertices",
+                i=edges[touching[0]],
+                x=x,
+                y=y,
+            ),
+            told("remove that vertex or mark more correspondences nearby"),
             vertices=[int(edges[touching[0]])],
             place=(float(x), float(y)),
         )

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from starskel.errors import InvalidMarks
+from starskel.errors import InvalidMarks, told
 from starskel.polygon import Polygon
 
 Mark = tuple[int, int]
@@ -23,8 +23,8 @@ def as_marks(given: Iterable[tuple[int, int]]) -> tuple[Mark, ...]:
         return tuple((operator.index(i), operator.index(j)) for i, j in given)
     except (TypeError, ValueError):
         raise InvalidMarks(
-            "the marks are not pairs of vertices",
-            "give each mark as (vertex of the source, vertex of the target), counted from 0",
+            told("the marks are not pairs of vertices"),
+            told("give each mark as (vertex of the source, vertex of the target), counted from 0"),
         ) from None
 
 
@@ -48,36 +48,53 @@ def checked_marks(source: Polygon, target: Polygon, marks: tuple[Mark, ...]) -> 
 
 
 def _check_range(polygon: Polygon, marks: tuple[Mark, ...], side: int) -> None:
-    name = ("source", "target")[side]
+    name = (told("source"), told("target"))[side]
     for number, mark in enumerate(marks):
         if not 0 <= mark[side] < len(polygon):
             raise InvalidMarks(
-                f"mark {number} names vertex {mark[side]} of the {name}, which has {len(polygon)}",
-                f"give a vertex from 0 to {len(polygon) - 1}",
+                told(
+                    "mark {number} names vertex {vertex} of the {name}, which has {count}",
+                    number=number,
+                    vertex=mark[side],
+                    name=name,
+                    count=len(polygon),
+                ),
+                told("give a vertex from 0 to {last}", last=len(polygon) - 1),
                 marks=[mark],
             )
 
 
 def _check_repeats(marks: tuple[Mark, ...], side: int) -> None:
-    name = ("source", "target")[side]
+    name = (told("source"), told("target"))[side]
     first: dict[int, int] = {}
     for number, mark in enumerate(marks):
         earlier = first.setdefault(mark[side], number)
         if earlier != number:
             raise InvalidMarks(
-                f"marks {earlier} and {number} both name vertex {mark[side]} of the {name}",
-                "remove one of them",
+                told(
+                    "marks {earlier} and {number} both name vertex {vertex} of the {name}",
+                    earlier=earlier,
+                    number=number,
+                    vertex=mark[side],
+                    name=name,
+                ),
+                told("remove one of them"),
                 marks=[marks[earlier], mark],
             )
 
 
 def _refuse_order(own: list[Mark], marks: tuple[Mark, ...]) -> None:
     first, second = _conflict(own)
-    (i, j), (k, m) = marks[first], marks[second]
     raise InvalidMarks(
-        f"marks {first} ({i}, {j}) and {second} ({k}, {m}) come in one order round the source"
-        " and in the other round the target",
-        "remove or move one of them",
+        told(
+            "marks {first} {a} and {second} {b} come in one order round the source"
+            " and in the other round the target",
+            first=first,
+            a=marks[first],
+            second=second,
+            b=marks[second],
+        ),
+        told("remove or move one of them"),
         marks=[marks[first], marks[second]],
     )
 

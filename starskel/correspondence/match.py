@@ -12,7 +12,7 @@ from starskel.correspondence.insertion import Rows, inserted, merged
 from starskel.correspondence.marks import Mark, as_marks, checked_marks
 from starskel.correspondence.pair import Correspondence
 from starskel.correspondence.proposal import proposed_marks
-from starskel.errors import InvalidPolygon
+from starskel.errors import InvalidPolygon, told
 from starskel.outline import precedes
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
@@ -84,7 +84,9 @@ def as_polygon(shape: PolygonLike, side: str) -> Polygon:
 
 
 def _blaming(side: str, error: InvalidPolygon) -> InvalidPolygon:
-    return InvalidPolygon(f"{side}: {error.what}", error.mend, error.vertices, error.place)
+    return InvalidPolygon(
+        told("{where}: {what}", where=told(side), what=error.what), error.mend, error.vertices, error.place
+    )
 
 
 def _completed(

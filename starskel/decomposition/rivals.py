@@ -20,6 +20,9 @@ TRIED_VERTICES = 80
 SMALL = 20
 """Up to so many vertices fans are as good as what is carried over, and quicker found."""
 
+FEW = 6
+"""One Steiner vertex for so many vertices of the cell is so few that nothing is carried over."""
+
 HOPELESS = 4
 """What needs so many times the vertices of another way is not reduced: that takes long and seldom helps."""
 
@@ -27,12 +30,10 @@ HOPELESS = 4
 def by_rivals(tiling: Tiling, grounds: Grounds, task: Task) -> Tiling:
     """Free a stuck cell, the only piece of a tiling, in the cheapest of several ways."""
     (cell,) = tiling.pieces
+    n = len(tiling.source.coordinates)
     tried = max(1, min(MOST_TRIED, TRIED_VERTICES // len(cell)))
     found = by_fans(tiling, grounds, tried, task)
-    if len(cell) > SMALL:
+    if len(cell) > SMALL and not any(FEW * (fan.cost()[0] - len(cell)) <= len(cell) for fan in found):
         found.append(transfer(tiling, cell, task.part(0, 0)))
     hope = HOPELESS * min((rival.cost() for rival in found), default=(0, 0))[0]
-    reduced = [
-        reduce(rival, len(tiling.source.coordinates), task) for rival in found if rival.cost()[0] <= hope
-    ]
-    return cheapest(tiling, grounds, reduced)
+    return cheapest(tiling, grounds, [reduce(rival, n, task) for rival in found if rival.cost()[0] <= hope])

@@ -1,12 +1,13 @@
 """Bytes from and to the disk: a file is replaced as a whole or not at all."""
 
 import contextlib
+import errno
 import os
 import secrets
 import stat
 from pathlib import Path
 
-from starskel.errors import InvalidFile
+from starskel.errors import InvalidFile, told
 
 
 def read_bytes(path: Path) -> bytes:
@@ -21,10 +22,13 @@ def read_bytes(path: Path) -> bytes:
         return path.read_bytes()
     except OSError as error:
         raise InvalidFile(
-            f"{path} cannot be read: {_reason(error)}", "give the path of a readable file"
+            told("{path} cannot be read: {reason}", path=path, reason=_reason(error)),
+            told("give the path of a readable file"),
         ) from error
     except ValueError as error:  # a path with a zero byte
-        raise InvalidFile(f"{str(path)!r} is no path", "give the path of a readable file") from error
+        raise InvalidFile(
+            told("{path} is no path", path=repr(str(path))), told("give the path of a readable file")
+        ) from error
 
 
 def write_bytes(path: Path, content: bytes) -> None:
@@ -43,8 +47,10 @@ def write_bytes(path: Path, content: bytes) -> None:
     except BrokenPipeError:
         raise
     except OSError as error:
-        mend = "choose a folder that exists and may be written to"
-        raise InvalidFile(f"{path} cannot be written: {_reason(error)}", mend) from error
+        mend = told("choose a folder that exists and may be written to")
+        raise InvalidFile(
+            told("{path} cannot be written: {reason}", path=path, reason=_reason(error)), mend
+        ) from error
 
 
 def made_folder(path: Path) -> Path:
@@ -58,8 +64,10 @@ def made_folder(path: Path) -> Path:
     try:
         path.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        mend = "choose a folder, or a place where one may be made"
-        raise InvalidFile(f"{path} cannot be made a folder: {_reason(error)}", mend) from error
+        mend = told("choose a folder, or a place where one may be made")
+        raise InvalidFile(
+            told("{path} cannot be made a folder: {reason}", path=path, reason=_reason(error)), mend
+        ) from error
     return path
 
 
@@ -86,4 +94,12 @@ def _replace(target: Path, content: bytes) -> None:
 
 
 def _reason(error: OSError) -> str:
-    return error.strerror or str(error)
+    usual = {
+        errno.ENOENT: told("No such file or directory"),
+        errno.EACCES: told("Permission denied"),
+        errno.EISDIR: told("Is a directory"),
+        errno.ENOTDIR: told("Not a directory"),
+        errno.ENOSPC: told("No space left on device"),
+        errno.EROFS: told("Read-only file system"),
+    }
+    return usual.get(error.errno or 0) or error.strerror or str(error)

@@ -5,7 +5,7 @@ from typing import TypeVar
 
 import msgspec
 
-from starskel.errors import InvalidFile
+from starskel.errors import InvalidFile, either, told
 from starskel.files.disk import read_bytes, write_bytes
 
 Document = TypeVar("Document")
@@ -38,8 +38,15 @@ def check_format(path: Path, *expected: str) -> str:
     """
     found = format_of(path)
     if found not in expected:
-        what = f'{path} has the format "{found}"' if found else f"{path} does not name its format"
-        raise InvalidFile(what, "give a file of the format " + " or ".join(f'"{name}"' for name in expected))
+        what = (
+            told('{path} has the format "{found}"', path=path, found=found)
+            if found
+            else told("{path} does not name its format", path=path)
+        )
+        raise InvalidFile(
+            what,
+            told("give a file of the format {names}", names=either([f'"{name}"' for name in expected])),
+        )
     return found
 
 
@@ -55,9 +62,13 @@ def read_document(path: Path, kind: type[Document]) -> Document:
     try:
         return msgspec.json.decode(content, type=kind)
     except msgspec.ValidationError as error:
-        raise InvalidFile(f"{path}: {error}", "correct the file at this place") from error
+        raise InvalidFile(
+            told("{where}: {what}", where=path, what=error), told("correct the file at this place")
+        ) from error
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise InvalidFile(f"{path} is damaged: {error}", "take an undamaged copy") from error
+        raise InvalidFile(
+            told("{path} is damaged: {error}", path=path, error=error), told("take an undamaged copy")
+        ) from error
 
 
 def write_document(path: Path, document: object) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 import msgspec
 
 from starskel.correspondence.marks import Mark
-from starskel.errors import InvalidFile
+from starskel.errors import InvalidFile, told
 from starskel.files.documents import check_format, read_document, write_document
 from starskel.files.shapes import Row, marked_shapes, polygon_of, rows_of
 from starskel.polygon import Polygon
@@ -85,17 +85,20 @@ class PairsFile:
         """
         entry = self._entries.get(pair_id)
         if entry is None:
-            raise InvalidFile(f'{self.path} has no pair "{pair_id}"', self._suggestion(pair_id))
-        where = f'{self.path}: pair "{entry.id}"'
-        source = polygon_of(entry.p, f"{where}: source (p)")
-        target = polygon_of(entry.q, f"{where}: target (q)")
+            raise InvalidFile(
+                told('{path} has no pair "{name}"', path=self.path, name=pair_id), self._suggestion(pair_id)
+            )
+        where = told('{path}: pair "{name}"', path=self.path, name=entry.id)
+        source = polygon_of(entry.p, told("{where}: {what}", where=where, what=told("source (p)")))
+        target = polygon_of(entry.q, told("{where}: {what}", where=where, what=told("target (q)")))
         source, target, marks = marked_shapes(source, target, entry.marks, where)
         return ShapePair(entry.id, source, target, marks, tuple(entry.tags), entry.source)
 
     def _suggestion(self, pair_id: str) -> str:
         by_lower_case = {name.lower(): name for name in self.ids}
         near = difflib.get_close_matches(pair_id.lower(), by_lower_case, n=3, cutoff=0.4)
-        return "choose one of " + ", ".join([by_lower_case[name] for name in near] or self.ids[:8])
+        names = [by_lower_case[name] for name in near] or self.ids[:8]
+        return told("choose one of {names}", names=", ".join(names))
 
 
 def read_pairs(path: Path) -> PairsFile:
@@ -109,11 +112,13 @@ def read_pairs(path: Path) -> PairsFile:
     check_format(path, FORMAT)
     pairs = PairsFile(path, entries := read_document(path, _Document).pairs)
     if not entries:
-        raise InvalidFile(f"{path} holds no pair", "give a file with at least one pair")
+        raise InvalidFile(told("{path} holds no pair", path=path), told("give a file with at least one pair"))
     if len(pairs.ids) < len(entries):
         names = [entry.id for entry in entries]
         twice = next(name for name in names if names.count(name) > 1)
-        raise InvalidFile(f'{path} has two pairs "{twice}"', "rename one of them")
+        raise InvalidFile(
+            told('{path} has two pairs "{name}"', path=path, name=twice), told("rename one of them")
+        )
     return pairs
 
 

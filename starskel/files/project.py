@@ -2,26 +2,32 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
+from typing import Annotated
 
 import msgspec
 
 from starskel.blending import METHODS
 from starskel.correspondence.marks import Mark
-from starskel.errors import InvalidFile
+from starskel.errors import InvalidFile, told
 from starskel.files.documents import check_format, read_document, write_document
+from starskel.files.pairs import ShapePair
+from starskel.files.picture import Picture
 from starskel.files.shapes import Row, marked_shapes, polygon_of, rows_of
 from starskel.polygon import Polygon
 
 FORMAT = "starskel-project"
-VERSION = 1
+VERSION = 2
 
 
 class _Header(msgspec.Struct, frozen=True):
     version: int = 0
 
 
-class _Document(msgspec.Struct, frozen=True):
+class _FirstDocument(msgspec.Struct, frozen=True):
+    """Version 1: one step, from the source to the target."""
+
     format: str
     version: int
     name: str
@@ -31,35 +37,116 @@ class _Document(msgspec.Struct, frozen=True):
     methods: list[str]
     description: str = ""
 
+    def updated(self) -> "_Document":
+        shapes = [self.source, self.target]
+        return _Document(
+            self.format, VERSION, self.name, shapes, [_Step(1.0, self.marks)], self.methods, self.description
+        )
+
+
+class _Step(msgspec.Struct, frozen=True):
+    duration: Annotated[float, msgspec.Meta(gt=0)]
+    marks: list[Mark]
+
+
+class _Document(msgspec.Struct, frozen=True):
+    format: str
+    version: int
+    name: str
+    shapes: list[list[Row] | None]
+    steps: list[_Step]
+    methods: list[str]
+    description: str = ""
+    pictures: list[Picture | None] = []  # for each shape; files without any may leave it out
+
+
+@dataclass(frozen=True)
+class Step:
+    """The way from one key shape to the next.
+
+    Attributes
+    ----------
+    marks : tuple of (int, int)
+        A vertex of the shape before, a vertex of the shape behind; none while one of them is missing.
+    duration : float
+        How long it takes; the usual length is 1.
+    """
+
+    marks: tuple[Mark, ...] = ()
+    duration: float = 1.0
+
 
 @dataclass(frozen=True)
 class Project:
-    """Two shapes on the way to a blend.
+    """Key shapes in order, on the way to a blend.
 
     Attributes
     ----------
     name : str
         What the user calls it.
-    source, target : Polygon or None
-        The shapes drawn so far.
-    marks : tuple of (int, int)
-        A vertex of the source, a vertex of the target; none while a shape is missing.
+    shapes : tuple of Polygon or None
+        At least two, None where nothing has been drawn yet.
+    steps : tuple of Step
+        Step k leads from shape k to shape k + 1.
     methods : tuple of str
         The blending methods shown, in order.
     description : str
         A sentence about it; empty where nobody wrote one.
+    pictures : tuple of Picture or None
+        For each shape what is behind it; empty where there is none at all.
     """
 
     name: str
-    source: Polygon | None = None
-    target: Polygon | None = None
-    marks: tuple[Mark, ...] = ()
+    shapes: tuple[Polygon | None, ...] = (None, None)
+    steps: tuple[Step, ...] = (Step(),)
     methods: tuple[str, ...] = ()
     description: str = ""
+    pictures: tuple[Picture | None, ...] = ()
+
+    @classmethod
+    def of(cls, pair: ShapePair) -> "Project":
+        """Give a pair as a project of one step."""
+        return cls(pair.id, (pair.source, pair.target), (Step(pair.marks),), description=pair.description)
+
+    def pair(self, step: int) -> ShapePair:
+        """Give the two shapes of a step, under the project's name, and the step's where there are several.
+
+        Raises
+        ------
+        InvalidFile
+            If one of them has not been drawn yet.
+        """
+        source, target = self.shapes[step : step + 2]
+        if source is None or target is None:
+            raise InvalidFile(
+                told(
+                    "{name} has no shape {letter} yet",
+                    name=self.name,
+                    letter=letter(step if source is None else step + 1),
+                ),
+                told("draw it in the editor and save"),
+            )
+        marks = self.steps[step].marks
+        return ShapePair(self.step_name(step), source, target, marks, description=self.description)
+
+    def step_name(self, step: int) -> str:
+        """Give the name of a step: the project's, and the letters of its shapes where there are several."""
+        if len(self.steps) == 1:
+            return self.name
+        return f"{self.name} {letter(step)}-{letter(step + 1)}"
+
+
+def letter(shape: int) -> str:
+    """Give the letter of a key shape counted from 0: A, B, ... Z, AA, AB, ..."""
+    letters, rest = "", shape
+    while rest >= 0:
+        letters = chr(ord("A") + rest % 26) + letters
+        rest = rest // 26 - 1
+    return letters
 
 
 def read_project(path: Path) -> Project:
-    """Read a project file.
+    """Read a project file of this or an older version.
 
     Raises
     ------
@@ -67,19 +154,22 @@ def read_project(path: Path) -> Project:
         If it cannot be read, is damaged, is no project, is one of a newer version, or holds invalid things.
     """
     check_format(path, FORMAT)
-    _check_version(path)
-    document = read_document(path, _Document)
-    source = polygon_of(document.source, f"{path}: source") if document.source is not None else None
-    target = polygon_of(document.target, f"{path}: target") if document.target is not None else None
-    marks: tuple[Mark, ...] = ()
-    if source is not None and target is not None:
-        source, target, marks = marked_shapes(source, target, document.marks, str(path))
-    elif document.marks:
-        raise InvalidFile(
-            f"{path} has marks, but not both shapes", "add the missing shape or remove the marks"
-        )
-    methods = _methods(path, document.methods)
-    return Project(document.name, source, target, marks, methods, document.description)
+    document = _read(path)
+    _check_counts(path, document)
+    shapes = tuple(
+        None
+        if rows is None
+        else polygon_of(rows, told("{path}: shape {letter}", path=path, letter=letter(number)))
+        for number, rows in enumerate(document.shapes)
+    )
+    steps = tuple(
+        Step(_marks(path, pair, step, number), step.duration)
+        for number, (pair, step) in enumerate(zip(pairwise(shapes), document.steps, strict=True))
+    )
+    # the polygons as if they had been given counter-clockwise, as their marks are
+    own = tuple(None if shape is None else Polygon(shape.vertices) for shape in shapes)
+    methods, pictures = _methods(path, document.methods), tuple(document.pictures)
+    return Project(document.name, own, steps, methods, document.description, pictures)
 
 
 def write_project(path: Path, project: Project) -> None:
@@ -90,29 +180,79 @@ def write_project(path: Path, project: Project) -> None:
     InvalidFile
         If it cannot be written; an old file stays as it was.
     """
-    source = rows_of(project.source) if project.source is not None else None
-    target = rows_of(project.target) if project.target is not None else None
-    marks, methods = list(project.marks), list(project.methods)
-    document = _Document(FORMAT, VERSION, project.name, source, target, marks, methods, project.description)
+    shapes = [None if shape is None else rows_of(shape) for shape in project.shapes]
+    steps = [_Step(step.duration, list(step.marks)) for step in project.steps]
+    methods, description = list(project.methods), project.description
+    pictures = list(project.pictures) if any(project.pictures) else []
+    document = _Document(FORMAT, VERSION, project.name, shapes, steps, methods, description, pictures)
     write_document(path, document)
+
+
+def _read(path: Path) -> _Document:
+    version = read_document(path, _Header).version
+    if version > VERSION:
+        raise InvalidFile(
+            told(
+                "{path} is a project of version {version}; this program knows versions up to {newest}",
+                path=path,
+                version=version,
+                newest=VERSION,
+            ),
+            told("open it with a newer starskel"),
+        )
+    if version < 1:
+        raise InvalidFile(
+            told("{path} is a project of version {version}", path=path, version=version),
+            told("versions count from 1"),
+        )
+    return read_document(path, _FirstDocument).updated() if version == 1 else read_document(path, _Document)
+
+
+def _check_counts(path: Path, document: _Document) -> None:
+    shapes, steps = len(document.shapes), len(document.steps)
+    if shapes < 2 or steps != shapes - 1:
+        raise InvalidFile(
+            told("{path} has {shapes} shapes and {steps} steps", path=path, shapes=shapes, steps=steps),
+            told("give two shapes at least, and a step from each to the next"),
+        )
+    if document.pictures and len(document.pictures) != shapes:
+        raise InvalidFile(
+            told(
+                "{path} has {pictures} pictures for {shapes} shapes",
+                path=path,
+                pictures=len(document.pictures),
+                shapes=shapes,
+            ),
+            told("give one for each shape, null where there is none"),
+        )
+
+
+def _marks(
+    path: Path, shapes: tuple[Polygon | None, Polygon | None], step: _Step, number: int
+) -> tuple[Mark, ...]:
+    where = told("{path}: step {first}-{last}", path=path, first=letter(number), last=letter(number + 1))
+    source, target = shapes
+    if source is not None and target is not None:
+        return marked_shapes(source, target, step.marks, where)[2]
+    if step.marks:
+        raise InvalidFile(
+            told("{where} has marks, but not both shapes", where=where),
+            told("add the shape or remove the marks"),
+        )
+    return ()
 
 
 def _methods(path: Path, names: Sequence[str]) -> tuple[str, ...]:
     for number, name in enumerate(names):
         if name not in METHODS:
-            what = f'{path} shows the method "{name}", which this program does not know'
-            raise InvalidFile(what, "open it with a newer starskel, or name one of " + ", ".join(METHODS))
+            what = told(
+                '{path} shows the method "{name}", which this program does not know', path=path, name=name
+            )
+            raise InvalidFile(
+                what, told("open it with a newer starskel, or name one of {names}", names=", ".join(METHODS))
+            )
         if name in names[:number]:
-            raise InvalidFile(f'{path} shows the method "{name}" twice', "name it once")
+            raise InvalidFile(
+                told('{path} shows the method "{name}" twice', path=path, name=name), told("name it once")
+            )
     return tuple(names)
-
-
-def _check_version(path: Path) -> None:
-    version = read_document(path, _Header).version
-    if version > VERSION:
-        raise InvalidFile(
-            f"{path} is a project of version {version}; this program knows versions up to {VERSION}",
-            "open it with a newer starskel",
-        )
-    if version < 1:
-        raise InvalidFile(f"{path} is a project of version {version}", "versions count from 1")

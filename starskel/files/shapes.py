@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from starskel.correspondence.marks import Mark, checked_marks
-from starskel.errors import InvalidFile, InvalidMarks, InvalidPolygon
+from starskel.errors import InvalidFile, InvalidMarks, InvalidPolygon, told
 from starskel.polygon import Polygon
 
 Row = tuple[float, float]
@@ -25,7 +25,7 @@ def polygon_of(rows: Sequence[Row], where: str) -> Polygon:
     try:
         return Polygon(rows)
     except InvalidPolygon as error:
-        raise InvalidFile(f"{where}: {error.what}", error.mend) from error
+        raise InvalidFile(told("{where}: {what}", where=where, what=error.what), error.mend) from error
 
 
 def marked_shapes(
@@ -43,6 +43,6 @@ def marked_shapes(
     try:
         checked_marks(source, target, tuple(marks))
     except InvalidMarks as error:
-        raise InvalidFile(f"{where}: {error.what}", error.mend) from error
+        raise InvalidFile(told("{where}: {what}", where=where, what=error.what), error.mend) from error
     own = tuple((source.vertex_of(i), target.vertex_of(j)) for i, j in marks)
     return Polygon(source.vertices), Polygon(target.vertices), own

@@ -97,11 +97,12 @@ class Driver:
         self.click("target", target)
 
     def in_dialog(self, act: Callable[[QWidget], None]) -> None:
-        """Act as soon as a dialog is open; to be called before what opens it."""
+        """Act as soon as a dialog is open that is not yet; to be called before what opens it."""
+        before = QApplication.activeModalWidget()
 
         def attempt() -> None:
             dialog = QApplication.activeModalWidget()
-            if dialog is None:
+            if dialog is None or dialog is before:
                 QTimer.singleShot(20, attempt)
                 return
             try:
@@ -129,6 +130,7 @@ def type_name(dialog: QWidget, name: str) -> None:
     """Type the name of a file and press Enter."""
     field = dialog.findChild(QLineEdit, "fileNameEdit")
     assert field is not None
+    QTest.qWait(100)  # it reads its folder in a thread of its own, and then selects what it suggests
     field.selectAll()
     QTest.keyClicks(field, name)
     QTest.keyClick(field, Qt.Key.Key_Return)

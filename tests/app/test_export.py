@@ -11,9 +11,7 @@ from starskel.files.examples import example
 
 @pytest.fixture(scope="module")
 def results() -> list[Result]:
-    project = example("star")
-    assert project.source is not None
-    assert project.target is not None
+    project = example("star").pair(0)
     pair = match(project.source, project.target, project.marks)
     blends = {method: blend(pair, method=method) for method in ("vertex", "edge-angle")}
     return [Result(method, made, measure(made), np.zeros((2, 2))) for method, made in blends.items()]

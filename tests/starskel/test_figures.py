@@ -14,8 +14,8 @@ FRAMES = 101
 
 def pair_of(number):
     name = next(name for name in example_names() if figure_number(name) == number)
-    project = example(name)
-    return match(project.source, project.target, project.marks)
+    pair = example(name).pair(0)
+    return match(pair.source, pair.target, pair.marks)
 
 
 def measured(number, method):

@@ -62,7 +62,7 @@ def test_a_crossing_between_frames_is_told_by_its_moment():
 
 
 def test_a_crossing_blend_is_called_so_with_its_times():
-    arm = example("arm")
+    arm = example("arm").pair(0)
     report = measure(blend(arm.source, arm.target, arm.marks, "vertex"))
     first, last = report.crossing_times[0], report.crossing_times[-1]
     assert 0 < first < 0.5 < last < 1

@@ -46,14 +46,18 @@ def chains_of(source: Floats, target: Floats, guide: Guide, linked: Linked, task
     times, wanted = _even(guide)
     frames = [source, *wanted[1:-1], target]
     keys = [Key(float(t), frame) for t, frame in zip(times, frames, strict=True)]
-    simple = ~cross_themselves(np.stack(frames))
-    simple[[0, -1]] = True  # polygons are simple, whatever rounding makes of vertices inserted on their edges
+    good = ~cross_themselves(np.stack(frames))
+    for at in np.flatnonzero(good):
+        task.reach(0)
+        good[at] = linked(frames[at], frames[at])
+    good[[0, -1]] = True  # polygons are simple, whatever rounding makes of vertices inserted on their edges
     chains = [[keys[0]]]
-    for before, after in pairwise(np.flatnonzero(simple)):
-        task.reach(keys[before].t)
-        through = after - before > 1
+    for before, after in pairwise(np.flatnonzero(good)):
+        search = _Search(guide, linked, task.part(keys[before].t, 1))
         pieces = [[keys[before]], [keys[after]]]
-        _append(chains, pieces if through else _linked(keys[before], keys[after], guide, linked, BISECTIONS))
+        _append(
+            chains, pieces if after - before > 1 else search.chains(keys[before], keys[after], BISECTIONS)
+        )
     return chains
 
 
@@ -79,18 +83,26 @@ def _append(chains: list[Chain], found: list[Chain]) -> None:
     chains += found[1:]
 
 
-def _linked(before: Key, after: Key, guide: Guide, linked: Linked, bisections: int) -> list[Chain]:
-    """Link two keys, by frames between them where that is needed and helps."""
-    if linked(before.frame, after.frame):
-        return [[before, after]]
-    t = (before.t + after.t) / 2
-    frame = guide(np.array([t]))
-    if not bisections or cross_themselves(frame)[0]:
-        return [[before], [after]]
-    middle = Key(t, frame[0])
-    chains = _linked(before, middle, guide, linked, bisections - 1)
-    _append(chains, _linked(middle, after, guide, linked, bisections - 1))
-    return chains
+@dataclass(frozen=True)
+class _Search:
+    """Linking keys of a guide, by frames between them where that is needed and helps."""
+
+    guide: Guide
+    linked: Linked
+    task: Task
+
+    def chains(self, before: Key, after: Key, bisections: int) -> list[Chain]:
+        self.task.reach(0)
+        if self.linked(before.frame, after.frame):
+            return [[before, after]]
+        t = (before.t + after.t) / 2
+        frame = self.guide(np.array([t]))
+        if not bisections or cross_themselves(frame)[0] or not self.linked(frame[0], frame[0]):
+            return [[before], [after]]
+        middle = Key(t, frame[0])
+        chains = self.chains(before, middle, bisections - 1)
+        _append(chains, self.chains(middle, after, bisections - 1))
+        return chains
 
 
 def between(times: Floats, frames: Floats, ts: Floats) -> Floats:

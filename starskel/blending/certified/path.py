@@ -13,7 +13,7 @@ from starskel.blending.certified.surroundings import surroundings_of
 from starskel.blending.certified.tracking import Pull
 from starskel.certificate import safe
 from starskel.decomposition.pieces import Decomposition
-from starskel.errors import StarskelError
+from starskel.errors import StarskelError, told
 from starskel.polar import as_complex
 from starskel.task import Task
 
@@ -120,7 +120,7 @@ def _by_convex_combination(decomposition: Decomposition, metric: Metric, task: T
     keys = Repair(morph.frames, Pull(metric, ends, safe)).bridged(chains, task.part(0.8, 1))
     if keys is None:
         raise StarskelError(
-            "no blend without crossings was found: a shape is all but as narrow as rounding",
-            "widen its narrowest parts, or add marks",
+            told("no blend without crossings was found: a shape is all but as narrow as rounding"),
+            told("widen its narrowest parts, or add marks"),
         )
     return keys

@@ -6,7 +6,7 @@ import numpy as np
 
 from starskel.blending.certified.barrier import contacts
 from starskel.certificate import near_pairs, safe
-from starskel.clearance import stay_clear
+from starskel.clearance import nearer_pairs, stay_clear
 from starskel.polar import as_complex
 from starskel.predicates import Complex, Floats
 
@@ -37,7 +37,8 @@ class Room:
         return self._roomy(as_complex(before), as_complex(after)) and safe(before, after)
 
     def _roomy(self, before: Complex, after: Complex) -> bool:
-        for vertex, edge in near_pairs(before, after, self.kept):
+        for pairs in near_pairs(before, after, self.kept):
+            vertex, edge = nearer_pairs(before, after, *pairs, self.kept)
             floors = np.full(len(vertex), self.kept)
             for end in self.ends:
                 floors = np.minimum(floors, SHARE * contacts(end, vertex, edge).distance)

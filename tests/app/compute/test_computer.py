@@ -18,8 +18,11 @@ class Collector:
     def __init__(self, computer: Computer) -> None:
         self.outcomes: list[Result | Failure] = []
         self.progress: list[float] = []
-        computer.delivered.connect(self.outcomes.append)
+        computer.delivered.connect(self._take)
         computer.progressed.connect(self._advance)
+
+    def _take(self, subject: Subject, outcome: Result | Failure) -> None:
+        self.outcomes.append(outcome)
 
     def _advance(self, method: str, fraction: float) -> None:
         self.progress.append(fraction)
@@ -209,6 +212,29 @@ def test_the_end_of_a_gesture_does_not_wait(
     assert slow["begun"].wait(5)
     computer.request(Request(Subject(SQUARE, SQUARE), ("vertex",)))
     assert slow["stopped"].wait(5)
+    slow["go"].set()
+    qtbot.waitUntil(lambda: not computer.busy)
+    assert [outcome.method for outcome in seen.outcomes] == ["vertex"]
+
+
+def test_what_is_wanted_later_is_computed_when_there_is_nothing_else_to_do(
+    computer: Computer, qtbot: QtBot
+) -> None:
+    later = Request(Subject(SQUARE, SQUARE, ((0, 1),)), ("vertex",))
+    subjects: list[Subject] = []
+    computer.delivered.connect(lambda subject, outcome: subjects.append(subject))
+    computer.request(REQUEST, later)
+    qtbot.waitUntil(lambda: not computer.busy)
+    assert subjects == [REQUEST.subject, REQUEST.subject, later.subject]
+
+
+def test_a_new_request_takes_the_place_of_what_was_wanted_later(
+    computer: Computer, qtbot: QtBot, slow: dict[str, threading.Event]
+) -> None:
+    seen = Collector(computer)
+    computer.request(REQUEST, REQUEST, REQUEST)
+    assert slow["begun"].wait(5)
+    computer.request(Request(Subject(SQUARE, SQUARE), ("vertex",)))
     slow["go"].set()
     qtbot.waitUntil(lambda: not computer.busy)
     assert [outcome.method for outcome in seen.outcomes] == ["vertex"]

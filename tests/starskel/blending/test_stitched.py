@@ -11,6 +11,7 @@ from starskel.correspondence import match
 from starskel.decomposition import decompose
 from starskel.errors import Cancelled
 from starskel.outline import cross_themselves, signed_areas
+from starskel.polar import PolarVectors
 from starskel.task import Task
 from tests.families import subdivided, turned, two_opt
 from tests.starskel.blending.cases import CASES, decomposition_of, size_of
@@ -60,6 +61,20 @@ def test_wishes_are_the_edges_themselves_at_both_ends(name):
     for vectors, points in zip(ends, (mesh.source, mesh.target), strict=True):
         i, j = mesh.edges.T
         np.testing.assert_allclose(vectors, points[j] - points[i], atol=1e-12 * mesh.size)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_needless_whole_turns_are_left_out(name):
+    """The mean turn is half a turn at most, wherever the unwrapping began and however often it went round."""
+    mesh = mesh_for(name)
+    wishes, (i, j) = mesh.wishes, mesh.edges.T
+    lengths = wishes.source_lengths / wishes.source_lengths.sum()
+    lengths = lengths + wishes.target_lengths / wishes.target_lengths.sum()
+    assert abs(wishes.rotations @ lengths) / lengths.sum() <= np.pi
+    for turns in (-2, 1):
+        vectors = [z[j] - z[i] for z in (mesh.source, mesh.target)]
+        others = PolarVectors.between(*vectors, wishes.rotations + 2 * np.pi * turns)
+        np.testing.assert_allclose(others.rotations, wishes.rotations, atol=1e-12)
 
 
 def test_where_only_a_vertex_sees_everything_it_is_the_hub_and_is_not_doubled():

@@ -1,14 +1,19 @@
 import json
+from pathlib import Path
 
 import pytest
 
 from starskel.errors import InvalidFile
-from starskel.files.project import Project, read_project, write_project
+from starskel.files.project import Project, Step, letter, read_project, write_project
 from starskel.polygon import Polygon
 
 TRIANGLE = Polygon([[0, 0], [1, 0], [0.1, 1 / 3]])
 SQUARE = Polygon([[0, 0], [4, 0], [4, 4], [0, 4]])
-WHOLE = Project("Dreieck → Quadrat", TRIANGLE, SQUARE, ((0, 1), (2, 3)), ("stitched", "vertex"))
+WHOLE = Project(
+    "Dreieck → Quadrat", (TRIANGLE, SQUARE), (Step(((0, 1), (2, 3))),), methods=("stitched", "vertex")
+)
+LONG = Project("long", (TRIANGLE, SQUARE, None, SQUARE), (Step(((0, 1),), 0.5), Step(), Step((), 1.25)))
+OLD = Path(__file__).parents[2] / "files" / "project-version-1.json"
 
 
 @pytest.fixture
@@ -18,8 +23,14 @@ def path(tmp_path):
 
 @pytest.mark.parametrize(
     "project",
-    [WHOLE, Project(""), Project("half", source=TRIANGLE), Project("other half", target=TRIANGLE)],
-    ids=["whole", "empty", "source", "target"],
+    [
+        WHOLE,
+        LONG,
+        Project(""),
+        Project("half", (TRIANGLE, None)),
+        Project("other half", (None, TRIANGLE)),
+    ],
+    ids=lambda project: project.name or "empty",
 )
 def test_a_project_comes_back_as_it_was_written(path, project):
     write_project(path, project)
@@ -36,10 +47,40 @@ def test_a_moved_vertex_changes_one_line(path):
     write_project(path, WHOLE)
     before = path.read_text().splitlines()
     moved = Polygon([[0, 0], [1, 0], [0.2, 1 / 3]])
-    write_project(path, Project(WHOLE.name, moved, SQUARE, WHOLE.marks, WHOLE.methods))
+    write_project(path, Project(WHOLE.name, (moved, SQUARE), WHOLE.steps, WHOLE.methods))
     after = path.read_text().splitlines()
     assert len(before) == len(after)
     assert sum(a != b for a, b in zip(before, after, strict=True)) == 1
+
+
+def test_a_file_of_version_1_is_a_project_of_one_step(path):
+    old, rows = read_project(OLD), json.loads(OLD.read_text())
+    assert old.name == rows["name"]
+    assert [shape.vertices.tolist() for shape in old.shapes] == [rows["source"], rows["target"]]
+    assert old.steps == (Step(tuple(map(tuple, rows["marks"])), 1.0),)
+    assert list(old.methods) == rows["methods"]
+    write_project(path, old)
+    assert json.loads(path.read_text())["version"] == 2
+    assert read_project(path) == old
+
+
+def test_marks_of_every_step_follow_shapes_given_clockwise(path):
+    write_project(path, Project("", (SQUARE,) * 3, (Step(((1, 2),)), Step(((2, 3),)))))
+    document = json.loads(path.read_text())
+    document["shapes"][1] = [[0, 0], [0, 4], [4, 4], [4, 0]]
+    path.write_text(json.dumps(document))
+    project = read_project(path)
+    assert project.shapes == (SQUARE,) * 3
+    assert [step.marks for step in project.steps] == [((1, 2),), ((2, 3),)]
+    assert project.pair(1).marks == ((2, 3),)
+
+
+def test_steps_are_named_by_the_letters_of_their_shapes():
+    assert LONG.pair(0).id == "long A-B"
+    assert WHOLE.pair(0).id == WHOLE.name
+    with pytest.raises(InvalidFile, match="long has no shape C yet"):
+        LONG.pair(1)
+    assert [letter(shape) for shape in (0, 25, 26, 27, 702)] == ["A", "Z", "AA", "AB", "AAA"]
 
 
 def changed(path, **change):
@@ -48,17 +89,28 @@ def changed(path, **change):
     return path
 
 
+def step(**change):
+    return {"duration": 1.0, "marks": [], **change}
+
+
+TRIANGLES = [[[0, 0], [4, 0], [0, 4]]] * 2
+
+
 @pytest.mark.parametrize(
     ("change", "message"),
     [
         ({"format": "polygon-pairs/1"}, 'has the format "polygon-pairs/1"; give .* "starskel-project"'),
-        ({"version": 2}, "of version 2; this program knows versions up to 1; open it with a newer starskel"),
+        ({"version": 3}, "of version 3; this program knows versions up to 2; open it with a newer starskel"),
         ({"version": 0}, "of version 0"),
-        ({"source": [[0, 0], [1, 1]]}, "drawing.json: source: a polygon of 2 points"),
-        ({"target": [[0, 0], [4, 4], [4, 0], [0, 4]]}, "drawing.json: target: edges 0-1 and 2-3 cross"),
-        ({"source": None}, "has marks, but not both shapes"),
-        ({"marks": [[0, 4]]}, "mark 0 names vertex 4 of the target"),
-        ({"marks": [[0]]}, r"length 2 - at `\$.marks\[0\]`"),
+        ({"version": 1}, "missing required field `source`"),
+        ({"shapes": [[[0, 0], [1, 1]], None]}, "drawing.json: shape A: a polygon of 2 points"),
+        ({"shapes": [None, [[0, 0], [4, 4], [4, 0], [0, 4]]]}, "drawing.json: shape B: edges 0-1 and 2-3"),
+        ({"shapes": [None, TRIANGLES[0]]}, "drawing.json: step A-B has marks, but not both shapes"),
+        ({"shapes": [None]}, "has 1 shapes and 1 steps; give two shapes at least"),
+        ({"steps": []}, "has 2 shapes and 0 steps"),
+        ({"steps": [step(duration=0)]}, r"`float` > 0.0 - at `\$.steps\[0\].duration`"),
+        ({"steps": [step(marks=[[0, 4]])]}, "step A-B: mark 0 names vertex 4 of the target"),
+        ({"steps": [step(marks=[[0]])]}, r"length 2 - at `\$.steps\[0\].marks\[0\]`"),
         (
             {"methods": ["vertex", "magic"]},
             'the method "magic", .* open it with a newer starskel, or name one of',
