@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 from enum import Enum
+from itertools import accumulate
 from math import ceil, floor
 
 from app.model.easing import Easing
@@ -9,7 +10,7 @@ from app.model.easing import Easing
 EVEN = Easing()
 
 FRAMES = 100
-"""Steps from the source to the target; a blend is measured at their ends."""
+"""So many frames apart are source and target; a blend is measured at each of them."""
 
 
 class Repeat(Enum):
@@ -22,10 +23,10 @@ class Repeat(Enum):
 
 @dataclass(frozen=True)
 class Playback:
-    """Where on the way from source to target we are, and how time moves us.
+    """Where on the way from the first key shape to the last we are, and how time moves us.
 
-    The phase counts ways: it grows by one while t goes from 0 to 1, and under ping-pong by one more on the
-    way back. All verbs take `now`, seconds of a monotonic clock.
+    The phase counts ways: it grows by one from the first shape to the last, under ping-pong by one more on
+    the way back. In each step t goes from 0 to 1. All verbs take `now`, seconds of a monotonic clock.
 
     Attributes
     ----------
@@ -38,9 +39,13 @@ class Playback:
     speed : float
         How many times faster than `duration` says.
     duration : float
-        Seconds from t = 0 to t = 1 at speed 1.
+        Seconds that a step of length 1 takes at speed 1.
     easing : Easing
-        How t runs over a way; on the way back it runs in reverse.
+        How t runs over a step; on the way back it runs in reverse.
+    lengths : tuple of float
+        The lengths of the steps.
+    step : int
+        The step that was shown last: it decides where two of them meet.
     """
 
     phase: float = 0.0
@@ -49,6 +54,8 @@ class Playback:
     speed: float = 1.0
     duration: float = 3.0
     easing: Easing = EVEN
+    lengths: tuple[float, ...] = (1.0,)
+    step: int = 0
 
     @property
     def playing(self) -> bool:
@@ -56,8 +63,17 @@ class Playback:
         return self.since is not None
 
     def t(self, now: float) -> float:
-        """Give t in [0, 1]."""
-        return self.easing.t(self._way(now))
+        """Give t of the step that is shown, in [0, 1]."""
+        return self.at(now)[1]
+
+    def at(self, now: float) -> tuple[int, float]:
+        """Give the step that is shown, and its t in [0, 1]."""
+        way, bounds = self._way(now), self._bounds
+        step = self.step
+        if not bounds[step] <= way <= bounds[step + 1]:
+            step = max(k for k in range(len(self.lengths)) if bounds[k] <= way)
+        start, end = bounds[step : step + 2]
+        return step, self.easing.t(min((way - start) / (end - start), 1.0))
 
     def _way(self, now: float) -> float:
         """Give the share of the way that time has gone, in [0, 1]."""
@@ -82,8 +98,18 @@ class Playback:
         return replace(self, phase=self._folded(now), since=None)
 
     def seek(self, t: float, now: float) -> "Playback":
-        """Go to t; time runs on from there if it did."""
-        return replace(self, phase=self.easing.time(t), since=now if self.playing else None)
+        """Go to t of the step that is shown; time runs on from there if it did."""
+        return self.into(self.at(now)[0], t, now)
+
+    def into(self, step: int, t: float, now: float) -> "Playback":
+        """Go to t of a step; time runs on from there if it did."""
+        start, end = self._bounds[step : step + 2]
+        phase = end if t >= 1 else start + self.easing.time(t) * (end - start)
+        return replace(self, phase=phase, since=now if self.playing else None, step=step)
+
+    def over(self, lengths: tuple[float, ...], step: int, now: float) -> "Playback":
+        """Run through steps of other lengths, and go to one of them; t stays."""
+        return replace(self, lengths=lengths, step=0).into(step, self.t(now), now)
 
     def at_speed(self, speed: float, now: float) -> "Playback":
         """Change the speed from now on."""
@@ -95,19 +121,29 @@ class Playback:
 
     def eased(self, easing: Easing, now: float) -> "Playback":
         """Change the easing; t stays."""
-        return replace(self, easing=easing).seek(self.t(now), now)
+        return replace(self, easing=easing).into(*self.at(now), now)
 
-    def step(self, frames: int, now: float) -> "Playback":
+    def advance(self, frames: int, now: float) -> "Playback":
         """Stop, and go on or back by so many of the frames that are measured, to one of them."""
-        at = self.t(now) * FRAMES
+        step, t = self.at(now)
+        at = t * FRAMES
         near = round(at)
         whole = near if abs(at - near) < 1e-6 else (floor(at) if frames > 0 else ceil(at))
-        return replace(self, since=None).seek(min(max(whole + frames, 0), FRAMES) / FRAMES, now)
+        last = FRAMES * len(self.lengths)
+        frame = min(max(FRAMES * step + whole + frames, 0), last)
+        step = min(max((frame - (frames > 0)) // FRAMES, 0), len(self.lengths) - 1)
+        return replace(self, since=None).into(step, (frame - FRAMES * step) / FRAMES, now)
+
+    @property
+    def _bounds(self) -> list[float]:
+        """The shares of the whole way at which steps begin and end."""
+        ends = list(accumulate(self.lengths, initial=0.0))
+        return [end / ends[-1] for end in ends]
 
     def _phase(self, now: float) -> float:
         if self.since is None:
             return self.phase
-        return self.phase + (now - self.since) * self.speed / self.duration
+        return self.phase + (now - self.since) * self.speed / (self.duration * sum(self.lengths))
 
     def _folded(self, now: float) -> float:
         """Give the phase without the rounds done, lest it lose digits; the direction of ping-pong stays."""

@@ -15,31 +15,13 @@ from app.model.marks import SIDES, Marks, Side
 from app.model.selection import Selection, everything
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.draw import DrawTool
-from app.tools.figure import EllipseTool, RectangleTool, RegularPolygonTool, StarTool
-from app.tools.freehand import FreehandTool
-from app.tools.mark import MarkTool
 from app.tools.marking import replace_marks
 from app.tools.select import SelectTool
 from app.tools.settings import Settings
-from app.tools.text import TextTool
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
+from app.tools.toolbox import TOOLS
 from starskel.blending import COMPARED
 from starskel.files.project import Project, read_project, write_project
-
-TOOLS: dict[str, type[Tool]] = {
-    tool.name: tool
-    for tool in (
-        SelectTool,
-        DrawTool,
-        FreehandTool,
-        RectangleTool,
-        EllipseTool,
-        RegularPolygonTool,
-        StarTool,
-        TextTool,
-        MarkTool,
-    )
-}
 
 Pointed = tuple[Side, int]
 
@@ -74,6 +56,8 @@ class Session(QObject):
     """The document, its file or its unsaved state is another."""
     opened = Signal()
     """Another document is edited from now on."""
+    step_changed = Signal()
+    """Other shapes are on the canvases."""
     tool_changed = Signal()
     pointed_changed = Signal()
     """Another vertex is pointed at, or its partner has moved."""
@@ -263,6 +247,33 @@ class Session(QObject):
         self._motions[self.document.step] = motion
         self._blend(self.document)
 
+    def show_step(self, step: int) -> None:
+        """Put another step of the sequence on the canvases, after the gesture under way is finished."""
+        if step != self.document.step and self.finish():
+            self.lost = 0
+            self._history = self._history.showing(step)
+            self._look(Selection(self.selection.side))
+
+    def arrange(self, verb: Callable[[], Document], name: str, side: Side) -> None:
+        """Change the sequence of key shapes; the shape on this side is the one worked on next."""
+        if self.finish() and (document := verb()) != self.document:
+            self._motions = {}
+            self.lost = lost_marks(self.document, document)
+            self._history = self._history.push(document, name)
+            self._look(Selection(side))
+
+    def work_on(self, side: Side) -> None:
+        """Let the shape on this side be the one worked on."""
+        if self.finish():
+            self._answer(Response(self.tool, selection=Selection(side)))
+
+    def _look(self, selection: Selection) -> None:
+        """Show the step that the document is at now."""
+        self.tool, self.selection, self.refusal = TOOLS[self.tool.name](), selection, None
+        self.point("source", None)
+        self.step_changed.emit()
+        self._refresh()
+
     def recompute(self) -> None:
         """Compute all blends anew."""
         self._blends.recompute()
@@ -357,6 +368,9 @@ class Session(QObject):
         self.lost = 0
         self.tool = TOOLS[self.tool.name]()
         self.refusal = None
+        now = self.document
+        if (former.step, former.sequence.steps) != (now.step, now.sequence.steps):
+            self.step_changed.emit()
         self._refresh()
 
     def _start(self, document: Document, path: Path | None) -> None:

@@ -7,9 +7,10 @@ from functools import cached_property
 import numpy as np
 
 from app.model import marks as pins
-from app.model.marks import Marks, Side
+from app.model.marks import SIDES, Marks, Side
 from app.model.sequence import USUAL, Sequence, check_step
 from starskel.errors import InvalidPolygon, told
+from starskel.files.picture import Picture
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
 
@@ -34,11 +35,14 @@ class Neighbour:
         The marks of the step, from its source to its target.
     duration : float
         How long the step takes.
+    picture : Picture or None
+        What is behind the shape.
     """
 
     shape: Polygon | None
     marks: Marks = ()
     duration: float = USUAL
+    picture: Picture | None = None
 
     def following(self, side: Side, place: Place) -> "Neighbour":
         """Give it after vertices of the shape on that side of its step went to other places."""
@@ -66,6 +70,8 @@ class Document:
         How long the step from source to target takes.
     before, after : tuple of Neighbour
         The shapes that come before the source and after the target, in order.
+    pictures : (Picture or None, Picture or None)
+        What is behind the source and behind the target, to draw over it.
     """
 
     name: str = ""
@@ -76,6 +82,7 @@ class Document:
     duration: float = USUAL
     before: tuple[Neighbour, ...] = ()
     after: tuple[Neighbour, ...] = ()
+    pictures: tuple[Picture | None, Picture | None] = (None, None)
 
     def __post_init__(self) -> None:
         check_step(self.source, self.target, self.marks)
@@ -100,6 +107,7 @@ class Document:
             (*former, self.source, self.target, *later),
             tuple(each.marks for each in steps),
             tuple(each.duration for each in steps),
+            (*(each.picture for each in self.before), *self.pictures, *(each.picture for each in self.after)),
         )
 
     def shape_on(self, side: Side) -> int:
@@ -113,8 +121,11 @@ class Document:
     def arranged(self, sequence: Sequence, step: int) -> "Document":
         """Replace the whole sequence, with this step of it on the canvases."""
         shapes, marks, durations = sequence.shapes, sequence.marks, sequence.durations
-        before = zip(shapes[:step], marks[:step], durations[:step], strict=True)
-        after = zip(shapes[step + 2 :], marks[step + 1 :], durations[step + 1 :], strict=True)
+        pictures = sequence.pictures
+        before = zip(shapes[:step], marks[:step], durations[:step], pictures[:step], strict=True)
+        after = zip(
+            shapes[step + 2 :], marks[step + 1 :], durations[step + 1 :], pictures[step + 2 :], strict=True
+        )
         return replace(
             self,
             source=shapes[step],
@@ -123,6 +134,7 @@ class Document:
             duration=durations[step],
             before=tuple(Neighbour(*each) for each in before),
             after=tuple(Neighbour(*each) for each in after),
+            pictures=(pictures[step], pictures[step + 1]),
         )
 
     def add_shape(self, after: int) -> "Document":
@@ -149,15 +161,15 @@ class Document:
         step = to if self.shape_on("source") == shape else to - 1
         return self.arranged(self.sequence.moved(shape, to), min(max(step, 0), self.sequence.steps - 1))
 
-    def set_duration(self, shape: int, duration: float) -> "Document":
-        """Let a shape be reached so long after the one before it; the next one keeps its time.
+    def set_duration(self, step: int, duration: float) -> "Document":
+        """Let a step take so long.
 
         Raises
         ------
         StarskelError
-            If the first is moved, or one past its neighbour.
+            If that is too short to be seen.
         """
-        return self.arranged(self.sequence.timed(shape, duration), self.step)
+        return self.arranged(self.sequence.timed(step, duration), self.step)
 
     # the two shapes on the canvases
 
@@ -169,6 +181,15 @@ class Document:
         """Give the vertices on this side, (n, 2), none where nothing has been drawn."""
         polygon = self.polygon(side)
         return polygon.vertices if polygon is not None else np.empty((0, 2))
+
+    def picture(self, side: Side) -> Picture | None:
+        """Give what is behind the shape on this side."""
+        return self.pictures[SIDES.index(side)]
+
+    def put_picture(self, side: Side, picture: Picture | None) -> "Document":
+        """Put a picture behind the shape on this side, or take it away."""
+        source, target = self.pictures
+        return replace(self, pictures=(picture, target) if side == "source" else (source, picture))
 
     def draw(self, side: Side, polygon: Polygon | None) -> "Document":
         """Replace a whole shape, or remove it; its marks go with it."""
@@ -324,10 +345,11 @@ class Document:
 
 
 def lost_marks(before: Document, after: Document) -> int:
-    """Count the marks that an edit of shapes took along; where only their order changed, the vertices."""
+    """Count the marks that an edit of shapes took along from those that are still there."""
     former, later = before.sequence, after.sequence
     if former.shapes == later.shapes:
         return 0
     if set(later.shapes) - {None} <= set(former.shapes):
-        return sum(end[0] in later.shapes and end not in later.marked for end in former.marked)
+        gone = {end for end in former.marked - later.marked if end[0] in later.shapes}
+        return sum(not gone.isdisjoint(ends) for ends in former.ends)
     return max(sum(map(len, former.marks)) - sum(map(len, later.marks)), 0)

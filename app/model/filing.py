@@ -16,11 +16,12 @@ def document_of(project: Project, usual_methods: tuple[str, ...]) -> Document:
     marks = tuple(step.marks for step in project.steps)
     durations = tuple(step.duration for step in project.steps)
     empty = Document(project.name, methods=project.methods or usual_methods)
-    return empty.arranged(Sequence(project.shapes, marks, durations), 0)
+    return empty.arranged(Sequence(project.shapes, marks, durations, project.pictures), 0)
 
 
 def project_of(document: Document, name: str) -> Project:
     """Give a document as a project, under this name where it has none of its own."""
     sequence = document.sequence
     steps = map(Step, sequence.marks, sequence.durations)
-    return Project(document.name or name, sequence.shapes, tuple(steps), document.methods)
+    name = document.name or name
+    return Project(name, sequence.shapes, tuple(steps), document.methods, pictures=sequence.pictures)

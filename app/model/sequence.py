@@ -8,6 +8,7 @@ from app.model import marks as pins
 from app.model.marks import Marks
 from starskel.correspondence.marks import checked_marks
 from starskel.errors import InvalidMarks, StarskelError, told
+from starskel.files.picture import Picture
 from starskel.polygon import Polygon
 
 USUAL = 1.0
@@ -29,17 +30,22 @@ class Sequence:
         For each step a vertex of its source, a vertex of its target.
     durations : tuple of float
         For each step how long it takes.
+    pictures : tuple of Picture or None
+        For each shape what is behind it; given empty, there is none at all.
     """
 
     shapes: tuple[Polygon | None, ...] = (None, None)
     marks: tuple[Marks, ...] = ((),)
     durations: tuple[float, ...] = (USUAL,)
+    pictures: tuple[Picture | None, ...] = ()
 
     def __post_init__(self) -> None:
         if len(self.shapes) < 2:
             raise StarskelError(
                 told("one shape alone has nothing to become"), told("keep two shapes at least")
             )
+        if not self.pictures:
+            object.__setattr__(self, "pictures", (None,) * len(self.shapes))
         for step, (source, target) in enumerate(pairwise(self.shapes)):
             check_step(source, target, self.marks[step])
 
@@ -49,27 +55,21 @@ class Sequence:
         return len(self.shapes) - 1
 
     @property
+    def ends(self) -> list[tuple[tuple[Polygon | None, int], tuple[Polygon | None, int]]]:
+        """For each mark of all steps its two ends: a shape, and a vertex of it."""
+        steps = zip(pairwise(self.shapes), self.marks, strict=True)
+        return [((a, i), (b, j)) for (a, b), marks in steps for i, j in marks]
+
+    @property
     def marked(self) -> frozenset[tuple[Polygon | None, int]]:
         """The shapes that are marked, each with a vertex that is."""
-        numbers = range(len(self.shapes))
-        return frozenset((self.shapes[k], v) for k in numbers for v, _ in self.marks_between(k, k))
+        return frozenset(end for ends in self.ends for end in ends)
 
     @property
     def times(self) -> tuple[float, ...]:
         """When each shape is reached, from 0 to 1."""
         ends = tuple(accumulate(self.durations, initial=0.0))
         return tuple(end / ends[-1] for end in ends)
-
-    def moment(self, t: float) -> tuple[int, float]:
-        """Give the step in which a time of the whole sequence lies, and the t of that step."""
-        times = self.times
-        step = max(k for k in range(self.steps) if times[k] <= t or not k)
-        return step, min((t - times[step]) / (times[step + 1] - times[step]), 1.0)
-
-    def time_of(self, step: int, t: float) -> float:
-        """Give the time of the whole sequence at which this step is at its t."""
-        start, end = self.times[step : step + 2]
-        return start + t * (end - start) if t < 1 else end
 
     def marks_between(self, first: int, second: int) -> Marks:
         """Give the marks that lead from any shape to any other, by way of those between them.
@@ -95,7 +95,8 @@ class Sequence:
         """
         shapes = tuple(None if k is None else self.shapes[k] for k in order)
         marks = tuple(() if a is None or b is None else self.marks_between(a, b) for a, b in pairwise(order))
-        return Sequence(shapes, marks, tuple(durations))
+        pictures = tuple(None if k is None else self.pictures[k] for k in order)
+        return Sequence(shapes, marks, tuple(durations), pictures)
 
     def added(self, after: int) -> "Sequence":
         """Put an empty shape behind another; the step to it is of usual length."""
@@ -116,26 +117,17 @@ class Sequence:
         order = [k for k in range(len(self.shapes)) if k != shape]
         return self.arranged([*order[:to], shape, *order[to:]], self.durations)
 
-    def timed(self, shape: int, duration: float) -> "Sequence":
-        """Let a shape be reached so long after the one before it.
-
-        The shape after it keeps its time; behind the last the whole becomes longer or shorter.
+    def timed(self, step: int, duration: float) -> "Sequence":
+        """Let a step take so long; what follows it comes sooner or later.
 
         Raises
         ------
         StarskelError
-            If the first is moved, or a step would become shorter than `SHORTEST`.
+            If it is shorter than `SHORTEST`.
         """
-        durations = list(self.durations)
-        rest = durations[shape] + durations[shape - 1] - duration if shape < self.steps else USUAL
-        if not shape or min(duration, rest) < SHORTEST:
-            raise StarskelError(
-                told("a shape stays behind the one before it and before the next"), told("move it less")
-            )
-        durations[shape - 1] = duration
-        if shape < self.steps:
-            durations[shape] = rest
-        return replace(self, durations=tuple(durations))
+        if duration < SHORTEST:
+            raise StarskelError(told("a step this short cannot be seen"), told("let it last longer"))
+        return replace(self, durations=(*self.durations[:step], duration, *self.durations[step + 1 :]))
 
     def _longer(self, after: int, shape: int | None) -> "Sequence":
         order: list[int | None] = list(range(len(self.shapes)))

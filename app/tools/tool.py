@@ -10,6 +10,7 @@ from app.model.selection import Selection
 from app.model.transforms import Box
 from app.tools.settings import Settings
 from starskel.errors import InvalidMarks, InvalidPolygon, StarskelError
+from starskel.files.picture import Picture
 from starskel.predicates import Floats
 
 Segment = tuple[Point, Point]
@@ -157,6 +158,10 @@ class Overlay:
         Outlines that belong to the figure but are left out of it.
     frame : Box or None
         A frame with handles around what is selected.
+    picture : Picture or None
+        The picture as the gesture would leave it, shown instead of the stored one.
+    corners : Box or None
+        The frame of a picture, with handles at its corners.
     handle : str
         The handle that a press would take.
     catch : Catch or None
@@ -177,6 +182,8 @@ class Overlay:
     trail: Floats | None = None
     beside: tuple[Floats, ...] = ()
     frame: Box | None = None
+    picture: Picture | None = None
+    corners: Box | None = None
     handle: str = ""
     catch: Catch | None = None
     readout: tuple[Point, str] | None = None

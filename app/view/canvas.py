@@ -2,8 +2,11 @@
 
 from dataclasses import replace
 
-from PySide6.QtCore import QPointF, Qt, Slot
+import numpy as np
+from PySide6.QtCore import QPointF, Qt, Signal, Slot
 from PySide6.QtGui import (
+    QDragEnterEvent,
+    QDropEvent,
     QFocusEvent,
     QKeyEvent,
     QMouseEvent,
@@ -17,6 +20,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.model.marks import Side
 from app.session import Session
+from app.tools.picture import box_of_picture
 from app.tools.tool import PICK, Key, Pointer
 from app.view import words
 from app.view.camera import Camera
@@ -44,6 +48,9 @@ KEYS = {
 class Canvas(QWidget):
     """Shows one side of the session's document and feeds the tool with what the user does here."""
 
+    dropped = Signal(str, object)
+    """The side, and the QMimeData that was dropped on it."""
+
     def __init__(self, session: Session, side: Side, display: Display) -> None:
         super().__init__()
         self.side = side
@@ -56,6 +63,7 @@ class Canvas(QWidget):
         self.setObjectName(f"{side}-canvas")
         self.setAccessibleName(words.side(side))
         self.setMouseTracking(True)
+        self.setAcceptDrops(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAutoFillBackground(False)
         self.setMinimumSize(160, 120)
@@ -64,6 +72,7 @@ class Canvas(QWidget):
             signal.connect(self.update)
         session.results_changed.connect(self._follow_results)
         session.opened.connect(self.fit)
+        session.step_changed.connect(self.fit)
         session.tool_changed.connect(self._show_cursor)
         self._show_cursor()
 
@@ -78,7 +87,7 @@ class Canvas(QWidget):
 
     @Slot()
     def fit(self) -> None:
-        """Show the whole shape; keep it fitted when the window changes, until the user zooms or pans."""
+        """Show the whole shape and its picture; keep them fitted until the user zooms or pans."""
         self._fits = True
         self._aim()
 
@@ -112,13 +121,28 @@ class Canvas(QWidget):
             self._aim()
 
     def _aim(self) -> None:
-        self.camera = self.camera.fitting(self._session.document.vertices(self.side), MARGIN)
+        document = self._session.document
+        extent = document.vertices(self.side)
+        if (picture := document.picture(self.side)) is not None:
+            box = box_of_picture(picture)
+            extent = np.concatenate([extent, [box.low, box.high]])
+        self.camera = self.camera.fitting(extent, MARGIN)
         self.update()
 
     def _look(self, camera: Camera) -> None:
         self._fits = False
         self.camera = camera
         self.update()
+
+    # pictures dropped here
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if event.mimeData().hasImage() or event.mimeData().hasUrls():
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        event.acceptProposedAction()
+        self.dropped.emit(self.side, event.mimeData())
 
     # pointer and keys
 
@@ -210,7 +234,7 @@ class Canvas(QWidget):
     def _show_cursor(self) -> None:
         if self._space:
             self.setCursor(Qt.CursorShape.OpenHandCursor)
-        elif self._session.tool.name == "draw":
+        elif self._session.tool.name not in ("select", "mark", "picture"):
             self.setCursor(Qt.CursorShape.CrossCursor)
         else:
             self.setCursor(Qt.CursorShape.ArrowCursor)

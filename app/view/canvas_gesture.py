@@ -7,7 +7,9 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter
 
 from app.model.document import Point
+from app.model.transforms import Box
 from app.tools.handles import TURN, handle_places
+from app.tools.picture import corner_places
 from app.tools.tool import Catch, Overlay
 from app.view import words
 from app.view.camera import Camera
@@ -35,13 +37,15 @@ class GesturePainter:
             self._paint_path(overlay)
         if overlay.frame is not None:
             self._paint_frame(overlay)
+        if overlay.corners is not None:
+            self._paint_corners(overlay.corners, overlay.handle)
         if overlay.box is not None:
             self._paint_box(overlay.box)
         if overlay.catch is not None and overlay.catch.kind:
             self._paint_catch(overlay.catch)
         if overlay.readout is not None:
             place, text = overlay.readout
-            self._write(self._place(place) + QPointF(14, 26), text)
+            self._write(self._place(place) + QPointF(14, 26), words.figure(text))
 
     def _place(self, point: Point) -> QPointF:
         return point_of(self._camera.to_screen(np.array(point)))
@@ -99,6 +103,17 @@ class GesturePainter:
                 self._painter.drawEllipse(place, 5.0, 5.0)
             else:
                 self._painter.drawRect(QRectF(place.x() - 4, place.y() - 4, 8, 8))
+
+    def _paint_corners(self, box: Box, held: str) -> None:
+        """Show the frame of a picture, squares at its corners to scale it."""
+        self._painter.setBrush(Qt.BrushStyle.NoBrush)
+        self._painter.setPen(pen(self._theme.accent, 1.0, Qt.PenStyle.DashLine))
+        self._painter.drawRect(QRectF(self._place(box.low), self._place(box.high)).normalized())
+        self._painter.setPen(pen(self._theme.accent, 1.5))
+        for name, at in corner_places(box).items():
+            place = self._place(at)
+            self._painter.setBrush(QColor(self._theme.accent if name == held else self._theme.base))
+            self._painter.drawRect(QRectF(place.x() - 4, place.y() - 4, 8, 8))
 
     def _paint_box(self, box: tuple[Point, Point]) -> None:
         self._painter.setPen(pen(self._theme.accent, 1.0, Qt.PenStyle.DashLine))

@@ -7,7 +7,6 @@ from PySide6.QtCore import QCoreApplication, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter
 
 from app.model.marks import Side
-from app.view import words
 from app.view.counts import COUNTS
 from app.view.drawing import pen
 from app.view.pins import cross_at
@@ -30,14 +29,13 @@ CLEARANCE = 24.0
 """Pixels between a notice and what it is about."""
 
 
-def paint_caption(painter: QPainter, theme: Theme, side: Side, count: int) -> None:
+def paint_caption(painter: QPainter, theme: Theme, side: Side, name: str, count: int) -> None:
     """Write the name of the canvas in its upper left corner, with a dot in the shape's colour."""
     painter.setFont(_sized(painter.font(), 10.0, bold=True))
     painter.setPen(theme.side(side))
     painter.setBrush(theme.side(side))
     painter.drawEllipse(QPointF(17, 18), 4.5, 4.5)
     painter.setPen(QColor(theme.text))
-    name = words.side(side)
     painter.drawText(QPointF(29, 22), name)
     if count:
         shift = painter.fontMetrics().horizontalAdvance(name)
@@ -46,17 +44,12 @@ def paint_caption(painter: QPainter, theme: Theme, side: Side, count: int) -> No
         painter.drawText(QPointF(39 + shift, 22), COUNTS.vertices(count))
 
 
-def paint_invitation(painter: QPainter, theme: Theme, frame: QRectF, side: Side, drawing: bool) -> None:
+def paint_invitation(painter: QPainter, theme: Theme, frame: QRectF, heading: str, drawing: bool) -> None:
     """Say in an empty canvas how to begin; `drawing` tells whether the drawing tool is in hand."""
-    heading = (
-        translate("Canvas", "Draw the source shape here")
-        if side == "source"
-        else translate("Canvas", "Draw the target shape here")
-    )
     how = (
         translate("Canvas", "Click to set each vertex; click the first one again to close.")
         if drawing
-        else translate("Canvas", "Press D for the drawing tool, or Ctrl+O to open a file.")
+        else translate("Canvas", "Take a tool from the left, drop a picture to draw over, or open a file.")
     )
     painter.setPen(QColor(theme.text))
     painter.setFont(_sized(painter.font(), 13.0, bold=True))
@@ -80,10 +73,10 @@ def paint_notice(  # noqa: PLR0913, PLR0917 -- what it says, and what it must no
     painter.drawText(box.adjusted(32, 0, -10, 0), NOTICE_FLAGS, text)
 
 
-def paint_news(painter: QPainter, theme: Theme, frame: QRectF, text: str) -> None:
-    """Write what an edit brought with it, on the lower edge."""
+def paint_news(painter: QPainter, theme: Theme, frame: QRectF, text: str, clear: list[QPointF]) -> None:
+    """Write what an edit brought with it, near to places that stay clear where there is room."""
     size = _notice_size(painter, frame, text)
-    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET))
+    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET), clear)
     _paint_plate(painter, theme, box, theme.accent)
     painter.setPen(QColor(theme.text))
     painter.drawText(box.adjusted(32, 0, -10, 0), NOTICE_FLAGS, text)

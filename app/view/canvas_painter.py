@@ -7,6 +7,7 @@ from PySide6.QtGui import QColor, QPainter, QPalette
 from app.model.document import Point
 from app.model.marks import Side, end, mark_at
 from app.session import Session
+from app.tools.picture import box_of_picture
 from app.tools.tool import Overlay
 from app.view import words
 from app.view.camera import Camera
@@ -16,6 +17,7 @@ from app.view.counts import COUNTS
 from app.view.display import Layers
 from app.view.drawing import faded, lines_of, pen, point_of, polygon_of
 from app.view.frame_layers import paint_numbers, paint_way
+from app.view.pictures import image_of
 from app.view.pins import Pin, cross_at, outward, paint_pins
 from app.view.structure import paint_cut
 from app.view.theme import theme_of
@@ -26,6 +28,9 @@ CROWDED = 7.0
 
 DIAMOND = (QPointF(0, -8), QPointF(8, 0), QPointF(0, 8), QPointF(-8, 0))
 
+
+MANY = 30
+"""Selected vertices are drawn smaller from so many on."""
 
 CLOSEST = 8.0
 """Lines of the grid are no nearer to each other than so many pixels."""
@@ -59,6 +64,7 @@ class CanvasPainter:
     def paint(self) -> None:
         """Paint everything, from the ground up."""
         self._painter.fillRect(self._frame(), QColor(self._theme.base))
+        self._paint_picture()
         self._paint_grid()
         self._painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._paint_shape()
@@ -73,10 +79,23 @@ class CanvasPainter:
         self._paint_refusal()
         if self._session.lost and self._side == self._session.selection.side:
             text = COUNTS.lost_marks(self._session.lost)
-            paint_news(self._painter, self._theme, self._frame(), text)
+            shape = [point_of(place) for place in self._screen[:: len(self._screen) // MANY + 1]]
+            paint_news(self._painter, self._theme, self._frame(), text, shape)
 
     def _frame(self) -> QRectF:
         return QRectF(0, 0, self._camera.width, self._camera.height)
+
+    def _paint_picture(self) -> None:
+        picture = self._overlay.picture or self._session.document.picture(self._side)
+        if picture is None:
+            return
+        box = box_of_picture(picture)
+        self._painter.save()
+        self._painter.setOpacity(picture.opacity)
+        self._painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        frame = QRectF(self._on_screen(box.low), self._on_screen(box.high)).normalized()
+        self._painter.drawImage(frame, image_of(picture.content))
+        self._painter.restore()
 
     def _paint_grid(self) -> None:
         """Show the grid where it catches the pointer; where its lines would run together, every fifth."""
@@ -142,10 +161,12 @@ class CanvasPainter:
 
     def _paint_selection(self) -> None:
         """Show what is selected, and what a press would take; above the pins, which may stand there too."""
+        selected = () if self._is_replaced() else self._session.selection.on(self._side)
         self._painter.setPen(pen(self._theme.base, 1.0))
         self._painter.setBrush(QColor(self._theme.accent))
-        for vertex in self._session.selection.on(self._side):
-            self._painter.drawRect(square(self._screen[vertex], 4.5))
+        half = 4.5 if len(selected) < MANY else 3.0
+        for vertex in selected:
+            self._painter.drawRect(square(self._screen[vertex], half))
         self._painter.setBrush(Qt.BrushStyle.NoBrush)
         self._painter.setPen(pen(self._theme.accent, 2.0))
         if self._overlay.vertex is not None:
@@ -226,8 +247,11 @@ class CanvasPainter:
     # words
 
     def _paint_words(self) -> None:
-        paint_caption(self._painter, self._theme, self._side, len(self._ring))
+        document = self._session.document
+        name = words.canvas(document, self._side)
+        paint_caption(self._painter, self._theme, self._side, name, len(self._ring))
         begun = self._is_replaced() or self._overlay.trail is not None
         if not len(self._screen) and not begun:
             drawing = self._session.tool.name == "draw"
-            paint_invitation(self._painter, self._theme, self._frame(), self._side, drawing)
+            heading = words.invitation(document, self._side)
+            paint_invitation(self._painter, self._theme, self._frame(), heading, drawing)

@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from app.view import drawing_commands
+from app.view import drawing_commands, sequence_commands
 from app.view.command import Command
 
 COMMANDS = (
@@ -68,7 +68,7 @@ COMMANDS = (
     ),
     Command(
         "cancel",
-        QT_TRANSLATE_NOOP("Command", "&Cancel"),
+        QT_TRANSLATE_NOOP("Command", "Ca&ncel"),
         QT_TRANSLATE_NOOP("Command", "Give up the gesture or the computation under way"),
         ("Esc",),
     ),
@@ -76,6 +76,8 @@ COMMANDS = (
     *drawing_commands.SNAPPING,
     *drawing_commands.CLIPBOARD,
     *drawing_commands.SHAPE,
+    *sequence_commands.SEQUENCE,
+    *drawing_commands.PICTURE,
     Command(
         "mark",
         QT_TRANSLATE_NOOP("Command", "&Mark"),
@@ -92,7 +94,7 @@ COMMANDS = (
     ),
     Command(
         "marks",
-        QT_TRANSLATE_NOOP("Command", "&Marks Table"),
+        QT_TRANSLATE_NOOP("Command", "Marks Ta&ble"),
         QT_TRANSLATE_NOOP("Command", "Show the marks as a table, to be edited by the keyboard"),
         ("Ctrl+T",),
         "",
@@ -134,7 +136,7 @@ COMMANDS = (
     ),
     Command(
         "onion",
-        QT_TRANSLATE_NOOP("Command", "&Onion Skin"),
+        QT_TRANSLATE_NOOP("Command", "Onion &Skin"),
         QT_TRANSLATE_NOOP("Command", "Show frames before and after as faint outlines"),
         ("Ctrl+3",),
         "",
@@ -174,7 +176,7 @@ COMMANDS = (
     ),
     Command(
         "language-system",
-        QT_TRANSLATE_NOOP("Command", "Language of the &System"),
+        QT_TRANSLATE_NOOP("Command", "Language of the S&ystem"),
         QT_TRANSLATE_NOOP("Command", "Speak the language of the system, from the next start on"),
         (),
         "language",
@@ -190,7 +192,7 @@ COMMANDS = (
     ),
     Command(
         "language-de",
-        QT_TRANSLATE_NOOP("Command", "&Deutsch"),
+        QT_TRANSLATE_NOOP("Command", "De&utsch"),
         QT_TRANSLATE_NOOP("Command", "Speak German, from the next start on"),
         (),
         "language",
@@ -256,7 +258,17 @@ MENUS = (
         QT_TRANSLATE_NOOP("Command", "&Edit"),
         ("undo", "redo", "", *_names(drawing_commands.CLIPBOARD), "", "select-all", "delete", "", "cancel"),
     ),
-    (QT_TRANSLATE_NOOP("Command", "&Shape"), _names(drawing_commands.SHAPE)),
+    (
+        QT_TRANSLATE_NOOP("Command", "&Shape"),
+        (*_names(drawing_commands.SHAPE), "", *_names(drawing_commands.PICTURE)),
+    ),
+    (
+        QT_TRANSLATE_NOOP("Command", "Se&quence"),
+        (
+            *("shape-add", "shape-duplicate", "shape-delete", "", "shape-earlier", "shape-later"),
+            *("", "step-before", "step-after", "alone"),
+        ),
+    ),
     (
         QT_TRANSLATE_NOOP("Command", "&Tools"),
         (*PALETTE, "", "suggest", "marks", "", *_names(drawing_commands.SNAPPING)),

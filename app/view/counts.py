@@ -9,6 +9,9 @@ class Counts(QObject):
     def vertices(self, count: int) -> str:
         return self.tr("%n vertices", "", count)
 
+    def marks(self, count: int) -> str:
+        return self.tr("%n marks", "", count)
+
     def lost_marks(self, count: int) -> str:
         """Say that an edit took marks away."""
         return self.tr("%n marks went with this edit. Undo brings them back.", "", count)

@@ -5,6 +5,7 @@ from enum import Enum
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, Qt, Slot
+from PySide6.QtGui import QImageReader
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
@@ -37,6 +38,15 @@ def path_to_open(parent: QWidget, folder: Path) -> Path | None:
     """Ask for a project or a file of pairs, from a folder on; None where the user thinks better of it."""
     title = translate("Dialogs", "Open")
     kinds = translate("Dialogs", "Projects and polygon pairs (*.json);;All files (*)")
+    path, _ = QFileDialog.getOpenFileName(parent, title, str(folder), kinds)
+    return Path(path) if path else None
+
+
+def picture_to_open(parent: QWidget, folder: Path) -> Path | None:
+    """Ask for a picture to draw over; None where the user thinks better of it."""
+    endings = " ".join(f"*.{bytes(kind.data()).decode()}" for kind in QImageReader.supportedImageFormats())
+    title = translate("Dialogs", "Open picture")
+    kinds = translate("Dialogs", "Pictures ({endings});;All files (*)").format(endings=endings)
     path, _ = QFileDialog.getOpenFileName(parent, title, str(folder), kinds)
     return Path(path) if path else None
 

@@ -69,6 +69,14 @@ TOOLS = (
         "tool",
         True,
     ),
+    Command(
+        "picture",
+        QT_TRANSLATE_NOOP("Command", "P&icture"),
+        QT_TRANSLATE_NOOP("Command", "Place a picture behind a shape, to draw over it"),
+        ("I",),
+        "tool",
+        True,
+    ),
 )
 
 SNAPPING = (
@@ -82,7 +90,7 @@ SNAPPING = (
     ),
     Command(
         "snap-edges",
-        QT_TRANSLATE_NOOP("Command", "Snap to &Edges"),
+        QT_TRANSLATE_NOOP("Command", "S&nap to Edges"),
         QT_TRANSLATE_NOOP("Command", "Let edges catch the pointer, and the lines that lengthen them"),
         ("Ctrl+Alt+E",),
         "",
@@ -169,5 +177,27 @@ SHAPE = (
         QT_TRANSLATE_NOOP("Command", "Set First &Vertex"),
         QT_TRANSLATE_NOOP("Command", "Let the vertices count from the selected one on; it is drawn filled"),
         ("Ctrl+Shift+F",),
+    ),
+)
+
+PICTURE = (
+    Command(
+        "picture-open",
+        QT_TRANSLATE_NOOP("Command", "Open P&icture…"),
+        QT_TRANSLATE_NOOP("Command", "Put a picture behind the shape last worked on"),
+        ("Ctrl+Shift+O",),
+    ),
+    Command(
+        "picture-lock",
+        QT_TRANSLATE_NOOP("Command", "&Lock Picture"),
+        QT_TRANSLATE_NOOP("Command", "Let the picture stay where it is"),
+        (),
+        "",
+        True,
+    ),
+    Command(
+        "picture-remove",
+        QT_TRANSLATE_NOOP("Command", "R&emove Picture"),
+        QT_TRANSLATE_NOOP("Command", "Take the picture away from behind the shape"),
     ),
 )

@@ -17,7 +17,7 @@ from starskel.blending.pieces import PieceBlend
 from starskel.predicates import Floats
 from starskel.sheet.keyframe import Keyframe
 
-STALE = 0.4
+STALE = 0.55
 """Opacity of a frame whose shapes have changed since."""
 
 

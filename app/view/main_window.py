@@ -12,6 +12,7 @@ from app.session import Session
 from app.tools.tool import Key
 from app.view import language, words
 from app.view.actions import Actions
+from app.view.backgrounds import Backgrounds
 from app.view.canvas import NOTCH, Canvas
 from app.view.commands import LANGUAGES, PALETTE
 from app.view.display import Display, Layers
@@ -24,6 +25,8 @@ from app.view.menus import examples_menu, fill_menu_bar, layers_menu, methods_me
 from app.view.options import SWITCHES, OptionsBar
 from app.view.panels import Panels
 from app.view.player import Player
+from app.view.sequence_bar import SequenceBar
+from app.view.sequencing import Sequencing
 from app.view.status import Status
 from app.view.theme import DARK, LIGHT, Theme, apply_theme, theme_of
 from app.view.timeline import Timeline
@@ -44,7 +47,10 @@ class MainWindow(QMainWindow):
         self.files = Files(self, session, self.player, self.display)
         self.canvases: dict[Side, Canvas] = {side: Canvas(session, side, self.display) for side in SIDES}
         self.edits = Edits(self, session, self.canvases)
+        self.sequencing = Sequencing(self, session, self.player)
+        self.backgrounds = Backgrounds(self, session, self.canvases)
         self.actions_table = Actions(self, self._handlers())
+        self.sequence = SequenceBar(session, self.player, self.sequencing, self.actions_table)
         self.panels = Panels(session, self.player, self.display)
         self.timeline = Timeline(session, self.player, self.actions_table)
         self._examples = examples_menu(self)
@@ -56,6 +62,7 @@ class MainWindow(QMainWindow):
         self.addToolBarBreak()
         self.options = OptionsBar(session, self.actions_table)
         self.addToolBar(self.options)
+        self.options.left.connect(self._focus_canvas)
         self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, tool_palette(self.actions_table))
         self.setCentralWidget(self._body())
         self.marks = MarksPanel(session)
@@ -71,7 +78,13 @@ class MainWindow(QMainWindow):
         session.tool_changed.connect(self._follow_tool)
         session.results_changed.connect(self._follow_results)
         self.player.playing_changed.connect(self._follow_player)
-        for follow in (self._follow, self._follow_tool, self._follow_results, self._dress):
+        for follow in (
+            self._follow,
+            self._follow_selection,
+            self._follow_tool,
+            self._follow_results,
+            self._dress,
+        ):
             follow()
 
     # layout
@@ -89,6 +102,7 @@ class MainWindow(QMainWindow):
         layout = QVBoxLayout(body)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
+        layout.addWidget(self.sequence)
         layout.addWidget(parts, 1)
         self.mark_line = MarkLine(self.session, self.canvases, canvases, body)
         layout.addWidget(self.timeline)
@@ -121,6 +135,8 @@ class MainWindow(QMainWindow):
             "delete": self._delete,
             "cancel": session.cancel,
             **self.edits.handlers(),
+            **self.sequencing.handlers(),
+            **self.backgrounds.handlers(),
             **dict.fromkeys(PALETTE, self._choose_tool),
             **dict.fromkeys(SWITCHES, self._switch_snapping),
             "suggest": self._suggest_marks,
@@ -146,6 +162,10 @@ class MainWindow(QMainWindow):
         self.session.choose_tool(self.sender().objectName())
 
     @Slot()
+    def _focus_canvas(self) -> None:
+        self.canvases[self.session.selection.side].setFocus()
+
+    @Slot()
     def _switch_snapping(self) -> None:
         self.options.switch()
 
@@ -157,7 +177,7 @@ class MainWindow(QMainWindow):
 
     @Slot()
     def _delete(self) -> None:
-        if not self.session.tool.busy:
+        if not self.session.tool.busy and self.session.tool.name != "picture":
             self.session.choose_tool("select")  # what is selected can be deleted whatever the tool in hand
         self.session.key(Key("delete"))
 
@@ -228,7 +248,8 @@ class MainWindow(QMainWindow):
             ("redo", self.tr("&Redo"), session.redoes),
         ):
             actions[name].setEnabled(edit is not None)
-            actions[name].setText(f"{label} {words.step(edit)}" if edit else label)
+            whole = self.tr("{command} {step}").format(command=label, step=words.step(edit or ""))
+            actions[name].setText(whole if edit else label)
             actions[name].setIconText(label.replace("&", ""))
         if session.tool.busy:  # then undo takes back a part of the gesture
             actions["undo"].setEnabled(True)
@@ -238,7 +259,10 @@ class MainWindow(QMainWindow):
 
     @Slot()
     def _follow_selection(self) -> None:
-        self.actions_table["delete"].setEnabled(bool(self.session.selection) or self.session.tool.busy)
+        session = self.session
+        placing = session.tool.name == "picture"  # then the picture can be deleted
+        self.actions_table["delete"].setEnabled(bool(session.selection) or session.tool.busy or placing)
+        self.sequencing.show(self.actions_table)
 
     @Slot()
     def _follow_tool(self) -> None:

@@ -3,7 +3,7 @@
 from functools import partial
 
 from PySide6.QtCore import QEvent, QModelIndex, Qt, QTimer, Slot
-from PySide6.QtGui import QFocusEvent, QIntValidator, QKeyEvent
+from PySide6.QtGui import QColor, QFocusEvent, QIntValidator, QKeyEvent, QPalette
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
@@ -23,6 +23,7 @@ from app.session import Session
 from app.tools.marking import remove_mark
 from app.view import words
 from app.view.marks_model import Index, MarksModel
+from app.view.theme import theme_of
 
 MOST = 99
 """Marks that may be suggested at once; more would be hard to tell apart."""
@@ -186,3 +187,6 @@ class MarksPanel(QWidget):
         self.message.setVisible(concerned)
         if refusal is not None and concerned:
             self.message.setText("✕ " + words.reason(refusal.error, document))
+            palette = QPalette(self.palette())
+            palette.setColor(QPalette.ColorRole.WindowText, QColor(theme_of(palette).refused))
+            self.message.setPalette(palette)

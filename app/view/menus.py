@@ -74,9 +74,9 @@ def examples_menu(parent: QWidget) -> QMenu:
         if figure_number(name) == 1:
             menu.addSection(translate("Menus", "Figures of the paper"))
         project = example(name)
-        action = menu.addAction(project.name)
+        action = menu.addAction(words.example(project.name))
         action.setData(name)
-        action.setToolTip(project.description)
+        action.setToolTip(words.example(project.description))
     return menu
 
 

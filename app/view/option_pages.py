@@ -2,17 +2,30 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from math import log
 from typing import Any
 
-from PySide6.QtCore import Qt, Slot
+from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QFontComboBox, QHBoxLayout, QLabel, QLineEdit, QSlider, QSpinBox, QWidget
+from PySide6.QtWidgets import (
+    QFontComboBox,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QSlider,
+    QSpinBox,
+    QToolButton,
+    QWidget,
+)
 
 from app.session import Session
+from app.tools.picture import fade_picture
 from app.tools.settings import Settings
+from app.view.actions import Actions
 from app.view.counts import COUNTS
 from app.view.lettering import lettering
+from app.view.words import figure
 
 FINEST, COARSEST = 0.5, 40.0
 """Ends of the slider for the tolerance, in pixels; it grows by the same factor from step to step."""
@@ -46,6 +59,9 @@ class Field:
 class Page(QWidget):
     """Options in a row; numbers first, as told by the fields."""
 
+    left = Signal()
+    """A number was entered: the keys belong to the canvas again."""
+
     def __init__(self, session: Session, *fields: Field) -> None:
         super().__init__()
         self.session = session
@@ -53,9 +69,9 @@ class Page(QWidget):
         self._row.setContentsMargins(0, 0, 0, 0)
         self._row.setSpacing(6)
         self._followers: list[Callable[[Settings], None]] = []
+        self._row.addStretch(1)
         for field in fields:
             self._add_field(field)
-        self._row.addStretch(1)
 
     def follow(self) -> None:
         """Show the settings as they are."""
@@ -68,6 +84,8 @@ class Page(QWidget):
 
     def add(self, label: str, control: QWidget) -> None:
         """Put a control and its label behind those there are."""
+        for line in control.findChildren(QLineEdit):
+            line.returnPressed.connect(self.left)
         writing = QLabel(label)
         writing.setBuddy(control)
         control.setAccessibleName(label)
@@ -120,13 +138,51 @@ class TolerancePage(Page):
     def _show(self, settings: Settings) -> None:
         step = STEPS * log(settings.tolerance / FINEST) / log(COARSEST / FINEST)
         self._slider.setValue(round(step))
-        self._figure.setText(self.tr("{pixels} px").format(pixels=f"{settings.tolerance:.1f}"))
+        self._figure.setText(self.tr("{pixels} px").format(pixels=figure(f"{settings.tolerance:.1f}")))
 
     @Slot()
     def _show_count(self) -> None:
         session = self.session
         count = len(session.document.vertices(session.selection.side))
         self._count.setText(COUNTS.vertices(count) if count else "")
+
+
+class PicturePage(Page):
+    """What there is to set of the picture behind the shape that was worked on last."""
+
+    def __init__(self, session: Session, actions: Actions) -> None:
+        super().__init__(session)
+        self._actions = actions
+        self._opacity = QSlider(Qt.Orientation.Horizontal)
+        self._opacity.setObjectName("opacity")
+        self._opacity.setRange(5, 100)
+        self._opacity.setFixedWidth(140)
+        self._buttons = {name: QToolButton() for name in ("picture-open", "picture-lock", "picture-remove")}
+        for name, button in self._buttons.items():
+            button.setDefaultAction(actions[name])
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+            button.setAutoRaise(True)
+            self._row.insertWidget(self._row.count() - 1, button)
+        self.add(self.tr("Opacity"), self._opacity)
+        self._opacity.valueChanged.connect(self._fade)
+        session.changed.connect(self._show)
+        self._show()
+
+    @Slot(int)
+    def _fade(self, percent: int) -> None:
+        side = self.session.selection.side
+        self.session.edit(partial(fade_picture, side=side, opacity=percent / 100))
+
+    @Slot()
+    def _show(self) -> None:
+        picture = self.session.document.picture(self.session.selection.side)
+        for name in ("picture-lock", "picture-remove"):
+            self._actions[name].setEnabled(picture is not None)
+        self._actions["picture-lock"].setChecked(picture is not None and picture.locked)
+        self._opacity.setEnabled(picture is not None)
+        self._opacity.blockSignals(True)  # what is shown is no edit
+        self._opacity.setValue(round(100 * picture.opacity) if picture is not None else 50)
+        self._opacity.blockSignals(False)
 
 
 class TextPage(Page):
@@ -148,9 +204,11 @@ class TextPage(Page):
         self._font.currentFontChanged.connect(self._set_letters)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Make the outlines when they are first needed: fonts take a moment to load."""
+        """Be ready for typing; the outlines are made only now, for fonts take a moment to load."""
         if not self.session.settings.lettering.rings:
             self._set_letters()
+        self._text.setFocus()
+        self._text.selectAll()
 
     @Slot()
     def _set_letters(self) -> None:

@@ -2,13 +2,13 @@
 
 from dataclasses import replace
 
-from PySide6.QtCore import QSize, Qt, Slot
+from PySide6.QtCore import QSize, Qt, Signal, Slot
 from PySide6.QtWidgets import QDoubleSpinBox, QLabel, QSizePolicy, QStackedWidget, QToolBar
 
 from app.session import Session
 from app.view.actions import Actions
 from app.view.numbers import Numbers
-from app.view.option_pages import Field, Page, TextPage, TolerancePage
+from app.view.option_pages import Field, Page, PicturePage, TextPage, TolerancePage
 
 SWITCHES = {
     "snap-vertices": "vertices",
@@ -21,6 +21,9 @@ SWITCHES = {
 
 class OptionsBar(QToolBar):
     """Shows the tool's name and a page of its options at the left, snapping at the right."""
+
+    left = Signal()
+    """A number was entered: the keys belong to the canvas again."""
 
     def __init__(self, session: Session, actions: Actions) -> None:
         super().__init__()
@@ -41,6 +44,7 @@ class OptionsBar(QToolBar):
         self._stack.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         for page in self.pages.values():
             self._stack.addWidget(page)
+            page.left.connect(self.left)
         self._spacing = QDoubleSpinBox()
         self._arrange()
         session.tool_changed.connect(self._follow_tool)
@@ -69,6 +73,7 @@ class OptionsBar(QToolBar):
                 Field(self.tr("Inner radius"), "inner", 5, 95, " %", 0.01),
             ),
             "text": TextPage(session),
+            "picture": PicturePage(session, self._actions),
         }
 
     def _arrange(self) -> None:
@@ -100,7 +105,8 @@ class OptionsBar(QToolBar):
         tool = self._session.tool
         name = tool.options or tool.name
         self._stack.setCurrentWidget(self.pages.get(name, self.pages[""]))
-        self.name.setText(self._actions[tool.name].text().replace("&", ""))
+        said = self._actions[name if name in self._actions else tool.name]
+        self.name.setText(said.text().replace("&", "").replace("…", ""))
 
     @Slot()
     def _follow_settings(self) -> None:

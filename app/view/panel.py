@@ -2,17 +2,21 @@
 
 from PySide6.QtCore import QEvent
 from PySide6.QtGui import QColor, QPalette
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from app.compute import STEERED, MethodState
 from app.session import Session
 from app.view import verdicts, words
 from app.view.display import Display
+from app.view.fitting_label import FittingLabel
 from app.view.frame_view import FrameView
 from app.view.player import Player
 from app.view.steering import Steering
 from app.view.theme import theme_of
 from starskel.predicates import Floats
+
+HEADING = 20
+"""Height of the line with the method's name, in pixels."""
 
 
 class Panel(QWidget):
@@ -28,11 +32,9 @@ class Panel(QWidget):
         font = self._name.font()
         font.setBold(True)
         self._name.setFont(font)
-        self.verdict = QLabel()
+        self.verdict = FittingLabel()  # whole in its tip
         self.verdict.setObjectName(f"{method}-verdict")
         self.verdict.setAccessibleName(self.tr("Verdict on {method}").format(method=words.method(method)))
-        # a long verdict is cut off, and whole in its tip, rather than making the window wider
-        self.verdict.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.view = FrameView(session, player, display)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -44,6 +46,7 @@ class Panel(QWidget):
     def _heading(self) -> QHBoxLayout:
         row = QHBoxLayout()
         row.setContentsMargins(0, 0, 0, 0)
+        self._name.setFixedHeight(HEADING)  # so that frames stand in line whatever else there is in a heading
         row.addWidget(self._name, 1)
         if self.method == STEERED:
             row.addWidget(Steering(self._session))
@@ -61,27 +64,27 @@ class Panel(QWidget):
             self._show_verdict(self._session.results.get(self.method, MethodState()))
 
     def _show_verdict(self, state: MethodState) -> None:
-        text, colour = self._verdict(state)
-        if text != self.verdict.text():  # or the whole window would be laid out anew
-            self.verdict.setText(text)
+        texts, colour = self._verdict(state)
+        self.verdict.say(texts)
         self.verdict.setToolTip(self._tip(state))
         palette = QPalette(self.palette())
         palette.setColor(QPalette.ColorRole.WindowText, QColor(colour))
         self.verdict.setPalette(palette)
 
-    def _verdict(self, state: MethodState) -> tuple[str, str]:
-        """Give the verdict and its colour; a glyph says the same as the colour."""
+    def _verdict(self, state: MethodState) -> tuple[list[str], str]:
+        """Give the verdict in many words and in few, and its colour; a glyph says the same as the colour."""
         theme = theme_of(self.palette())
         if state.error is not None:
-            return "✕ " + self.tr("no blend"), theme.refused
+            return ["✕ " + self.tr("no blend")], theme.refused
         if state.result is None:
-            return (self.tr("computing…") if self._session.busy else ""), theme.muted
-        text = verdicts.summary(state.result.report)
+            return [self.tr("computing…") if self._session.busy else ""], theme.muted
+        report = state.result.report
+        texts = verdicts.summaries(report)
         if state.stale:
-            return "… " + self.tr("{verdict} (out of date)").format(verdict=text), theme.muted
-        if state.result.report.simple:
-            return "✓ " + text, theme.simple
-        return ("≈ " if state.result.report.natural else "✕ ") + text, theme.refused
+            outdated = self.tr("{verdict} (out of date)")
+            return ["… " + outdated.format(verdict=text) for text in texts], theme.muted
+        glyph = "✓ " if report.simple else "≈ " if report.natural else "✕ "
+        return [glyph + text for text in texts], theme.simple if report.simple else theme.refused
 
     def _tip(self, state: MethodState) -> str:
         if state.error is not None:

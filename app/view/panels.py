@@ -11,7 +11,7 @@ from app.view.panel import Panel
 from app.view.player import Player
 from starskel.predicates import Floats
 
-HEADING = 40
+HEADING = 43
 """Height of what stands over a panel's frame, in pixels."""
 
 NARROWEST = 170

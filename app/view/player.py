@@ -1,5 +1,6 @@
 """Player: the clock that moves t; whoever shows a moment listens to it."""
 
+from dataclasses import replace
 from time import monotonic
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal, Slot
@@ -15,19 +16,48 @@ class Player(QObject):
     """Holds the playback state and reports every new t."""
 
     t_changed = Signal(float)
+    step_changed = Signal(int)
+    """Playing, or going frame by frame, has come into another step."""
     playing_changed = Signal(bool)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._playback = Playback()
+        self._lengths: tuple[float, ...] = (1.0,)
+        self._first = 0
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.setInterval(TICK)
         self._timer.timeout.connect(self._tick)
 
     @property
+    def step(self) -> int:
+        """The step that is shown."""
+        return self._first + self._playback.at(monotonic())[0]
+
+    @property
+    def alone(self) -> bool:
+        """Whether only one step is played."""
+        return len(self._playback.lengths) < len(self._lengths)
+
+    def follow(self, lengths: tuple[float, ...], step: int) -> None:
+        """Play through these steps, and show this one now."""
+        if lengths != self._lengths or step != self.step:
+            self._run(lengths, step, alone=self.alone)
+
+    def set_alone(self, alone: bool) -> None:
+        """Play the step that is shown alone, or all of them."""
+        self._run(self._lengths, self.step, alone=alone)
+
+    def _run(self, lengths: tuple[float, ...], step: int, *, alone: bool) -> None:
+        self._lengths = lengths
+        self._first = step if alone else 0
+        played = lengths[step : step + 1] if alone else lengths
+        self._become(self._playback.over(played, step - self._first, monotonic()))
+
+    @property
     def t(self) -> float:
-        """The moment that is shown."""
+        """The moment of the step that is shown."""
         return self._playback.t(monotonic())
 
     @property
@@ -81,12 +111,12 @@ class Player(QObject):
     @Slot()
     def step_back(self) -> None:
         """Stop, and show the frame before."""
-        self._become(self._playback.step(-1, monotonic()))
+        self._become(self._playback.advance(-1, monotonic()))
 
     @Slot()
     def step_forward(self) -> None:
         """Stop, and show the next frame."""
-        self._become(self._playback.step(1, monotonic()))
+        self._become(self._playback.advance(1, monotonic()))
 
     def stop_at(self, t: float) -> None:
         """Stop, and show this moment."""
@@ -110,6 +140,8 @@ class Player(QObject):
             self._timer.stop()
         if playback.playing != former.playing:
             self.playing_changed.emit(playback.playing)
+        if playback.step != former.step:
+            self.step_changed.emit(self._first + playback.step)
         self.t_changed.emit(self.t)
 
     @Slot()
@@ -118,4 +150,8 @@ class Player(QObject):
         if self._playback.ended(now):
             self._become(self._playback.pause(now))
         else:
-            self.t_changed.emit(self._playback.t(now))
+            step = self._playback.at(now)[0]
+            if step != self._playback.step:
+                self._playback = replace(self._playback, step=step)
+                self.step_changed.emit(self._first + step)
+            self.t_changed.emit(self.t)

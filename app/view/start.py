@@ -13,7 +13,6 @@ from app.session import Session
 from app.view.language import chosen, speak, spoken
 from app.view.main_window import MainWindow
 from app.view.theme import DARK, LIGHT, apply_theme
-from starskel.files.examples import example
 
 FIRST_EXAMPLE = "arm"
 
@@ -65,6 +64,6 @@ def run(path: Path | None) -> int:
     if path is not None:
         window.files.open(path)
     else:
-        window.session.show_project(example(FIRST_EXAMPLE))
+        window.files.open_example(FIRST_EXAMPLE)
         window.player.play()
     return application.exec()

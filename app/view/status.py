@@ -1,11 +1,14 @@
 """Status bar: what the user can do now, what the worker does, and a way to stop it."""
 
-from PySide6.QtCore import Slot
+from PySide6.QtCore import QTimer, Slot
 from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar, QToolButton
 
 from app.session import Session
 from app.view import words
 from app.view.actions import Actions
+
+BLINK = 300
+"""Milliseconds of work that are not worth a word."""
 
 
 class Status(QStatusBar):
@@ -33,6 +36,10 @@ class Status(QStatusBar):
         self.addWidget(self.hint, 1)
         for widget in (self.work, self.progress, self.stop):
             self.addPermanentWidget(widget)
+        self._delay = QTimer(self)
+        self._delay.setSingleShot(True)
+        self._delay.setInterval(BLINK)
+        self._delay.timeout.connect(self._show_work)
         session.tool_changed.connect(self._show_hint)
         session.progressed.connect(self._show_progress)
         session.busy_changed.connect(self._show_busy)
@@ -50,9 +57,23 @@ class Status(QStatusBar):
 
     @Slot(bool)
     def _show_busy(self, busy: bool) -> None:
+        """Show what is done and a way to stop it, where it takes longer than a blink."""
+        if busy:
+            self.work.clear()
+            self._delay.start()
+        else:
+            self._delay.stop()
+            self._set_busy(False)
+            self.work.setText(self._outcome())
+
+    @Slot()
+    def _show_work(self) -> None:
+        self.work.setText(self.work.text() or self.tr("Computing…"))
+        self._set_busy(True)
+
+    def _set_busy(self, busy: bool) -> None:
         self.progress.setVisible(busy)
         self.stop.setVisible(busy)
-        self.work.setText(self.tr("Computing…") if busy else self._outcome())
 
     def _outcome(self) -> str:
         states = self._session.results.values()

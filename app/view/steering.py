@@ -10,6 +10,8 @@ from app.session import Session
 MOST = 9
 """Whole turns either way; more could not be followed by the eye."""
 
+HEIGHT = 20
+
 
 class Steering(QWidget):
     """Stands in the star-skeleton's panel, as no other method has anything to be steered by."""
@@ -24,12 +26,12 @@ class Steering(QWidget):
         self.turns.setPrefix(self.tr("turns") + " ")
         self.turns.setRange(-MOST, MOST)
         self.turns.setFrame(False)
-        self.turns.setMaximumHeight(18)
+        self.turns.setMaximumHeight(HEIGHT)
         self.root = QToolButton()
         self.root.setObjectName("usual-root")
         self.root.setText(self.tr("Usual root"))
         self.root.setToolTip(self.tr("Let the method choose the root again"))
-        self.root.setMaximumHeight(18)
+        self.root.setMaximumHeight(HEIGHT)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(6)

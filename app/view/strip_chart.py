@@ -145,11 +145,12 @@ class StripChart(QWidget):
             return self.tr("Drift of area and lengths, and where frames cross themselves. Click to go there.")
         curve, span = crossing
         text = (
-            self.tr("{method}: lies over itself, naturally, from t = {start:.2f} to {stop:.2f}")
+            self.tr("{method}: lies over itself, naturally, from t = {start} to {stop}")
             if span.natural
-            else self.tr("{method}: crosses itself from t = {start:.2f} to {stop:.2f}")
+            else self.tr("{method}: crosses itself from t = {start} to {stop}")
         )
-        return text.format(method=words.method(curve.method), start=span.start, stop=span.stop)
+        start, stop = (words.figure(f"{t:.2f}") for t in (span.start, span.stop))
+        return text.format(method=words.method(curve.method), start=start, stop=stop)
 
     # painting
 
@@ -194,10 +195,12 @@ class StripChart(QWidget):
         painter.setPen(QColor(theme.muted))
         left, top = Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignTop
         area = places.area.adjusted(5, 2, -5, -2)
-        painter.drawText(area, left | top, "+" + percent(self.range))
-        low = "\N{MINUS SIGN}" + percent(self.range)
+        painter.drawText(area, left | top, "+" + words.figure(percent(self.range)))
+        low = "\N{MINUS SIGN}" + words.figure(percent(self.range))
         painter.drawText(area, left | Qt.AlignmentFlag.AlignBottom, low)
-        painter.drawText(places.lengths.adjusted(5, 2, -5, -2), left | top, percent(self.length_range))
+        painter.drawText(
+            places.lengths.adjusted(5, 2, -5, -2), left | top, words.figure(percent(self.length_range))
+        )
 
     def _paint_lane(self, painter: QPainter, theme: Theme, places: ChartLayout, curve: Curve) -> None:
         """Paint a lane; stretches of harmful crossings are solid, those of natural ones hollow."""

@@ -60,7 +60,8 @@ class Theme:
         return _mix(source, middle, 2 * t) if t < 0.5 else _mix(middle, target, 2 * t - 1)
 
 
-PINS = ("#1f5fbf", "#b3401f", "#2e7d32", "#8e3aa8", "#9a6700", "#00727a", "#c2185b", "#5d4037")
+STRONG = ("#1f5fbf", "#b3401f", "#2e7d32", "#8e3aa8", "#9a6700", "#00727a", "#c2185b", "#5d4037")
+"""Colours that white writing can be read on, and that lines on white can be told apart by."""
 
 LIGHT = Theme(
     name="light",
@@ -77,9 +78,9 @@ LIGHT = Theme(
     target="#d0701c",
     refused="#c8102e",
     simple="#1b7a3d",
-    pins=PINS,
+    pins=STRONG,
     pieces=("#8fb8ea", "#f3b983", "#9fd6a8", "#d6a6e0", "#efd27a", "#8fd3d6", "#eda3b8", "#c4b5a8"),
-    methods=("#1f5fbf", "#c05a12", "#2e7d32", "#8e3aa8", "#00727a", "#9a6700"),
+    methods=STRONG,
 )
 
 DARK = Theme(
@@ -97,7 +98,7 @@ DARK = Theme(
     target="#ef9a4d",
     refused="#ff6b78",
     simple="#6fcf8b",
-    pins=PINS,
+    pins=STRONG,
     pieces=("#35588a", "#8a5527", "#3a7047", "#704a80", "#7d6a24", "#2c6f73", "#84435a", "#655748"),
     methods=("#6ba4ee", "#ef9a4d", "#7ccf86", "#d08be6", "#5cc8ce", "#e0b64a"),
 )

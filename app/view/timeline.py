@@ -22,6 +22,7 @@ from app.view.player import Player
 from app.view.strip_chart import StripChart, method_pen
 from app.view.theme import theme_of
 from app.view.time_slider import TimeSlider
+from starskel.blending import METHODS
 
 SPEEDS = (0.25, 0.5, 1.0, 2.0, 4.0)
 
@@ -45,6 +46,9 @@ class Timeline(QWidget):
         layout.addWidget(self._t, 0, 2)
         layout.addWidget(Legend(session), 1, 0)
         layout.addWidget(self.chart, 1, 1, 1, 1)
+        self.add = _button(actions["shape-add"])
+        self.add.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        layout.addWidget(self.add, 1, 2, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop)
         layout.setColumnStretch(1, 1)
         player.t_changed.connect(self._follow)
 
@@ -125,7 +129,8 @@ class Legend(QWidget):
         session.document_changed.connect(self.update)
 
     def sizeHint(self) -> QSize:
-        return QSize(self.fontMetrics().horizontalAdvance("star-skeleton") + 60, 40)
+        names = [self.tr("Area drift"), self.tr("Length drift"), *(words.method(name) for name in METHODS)]
+        return QSize(max(self.fontMetrics().horizontalAdvance(name) for name in names) + 60, 40)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         with painting(self) as painter:

@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from PySide6.QtCore import QCoreApplication
 
+from app.view.words import figure
 from starskel.quality import Report
 from starskel.sheet.words import crossing_words, percent, spans
 
@@ -15,15 +16,26 @@ HARDLY = 1e-6
 """Moments nearer to each other count as one."""
 
 
-def summary(report: Report) -> str:
-    """Give the verdict in one line that fits above a frame."""
-    area = percent(report.area_deviation)
+def summaries(report: Report) -> tuple[str, ...]:
+    """Give the verdict in a line that stands above a frame, and in shorter ones where there is less room."""
+    area = figure(percent(report.area_deviation))
     if report.simple:
-        return translate("Verdict", "simple, area {area}").format(area=area)
+        return (
+            translate("Verdict", "simple, area {area}").format(area=area),
+            translate("Verdict", "simple"),
+        )
     if report.natural:
-        return translate("Verdict", "natural crossing, area {area}").format(area=area)
-    first = f"{report.crossing_times[0]:.2f}".removeprefix("0")
-    return translate("Verdict", "crosses at t = {t}, area {area}").format(t=first, area=area)
+        return (
+            translate("Verdict", "natural crossing, area {area}").format(area=area),
+            translate("Verdict", "natural crossing"),
+            translate("Verdict", "natural"),
+        )
+    first = figure(f"{report.crossing_times[0]:.2f}".removeprefix("0"))
+    return (
+        translate("Verdict", "crosses at t = {t}, area {area}").format(t=first, area=area),
+        translate("Verdict", "crosses at t = {t}").format(t=first),
+        translate("Verdict", "crosses"),
+    )
 
 
 def details(report: Report) -> str:
@@ -31,16 +43,16 @@ def details(report: Report) -> str:
     times = report.times.tolist()
     lines = [
         *_crossings(report),
-        translate("Verdict", "Area drifts by up to {p}.").format(p=percent(report.area_deviation)),
+        translate("Verdict", "Area drifts by up to {p}.").format(p=figure(percent(report.area_deviation))),
         translate("Verdict", "Edge lengths drift by {p} on average.").format(
-            p=percent(report.length_deviation)
+            p=figure(percent(report.length_deviation))
         ),
         translate("Verdict", "Turning angles drift by {a} degrees on average.").format(
-            a=f"{np.degrees(report.angle_deviation):.1f}"
+            a=figure(f"{np.degrees(report.angle_deviation):.1f}")
         ),
     ]
     if report.negative_lengths:
-        negative = spans(times, report.negative_lengths)
+        negative = figure(spans(times, report.negative_lengths))
         lines.append(
             translate("Verdict", "Some edge has a negative length at t = {times}.").format(times=negative)
         )
@@ -52,7 +64,9 @@ def _crossings(report: Report) -> list[str]:
         if report.proven:
             return [translate("Verdict", "Never crosses itself: proven for every t.")]
         return [translate("Verdict", "No frame crosses itself.")]
-    lines = [translate("Verdict", "Crosses itself at t = {times}.").format(times=crossing_words(report))]
+    lines = [
+        translate("Verdict", "Crosses itself at t = {times}.").format(times=figure(crossing_words(report)))
+    ]
     if report.natural:
         lines.append(translate("Verdict", "That is natural: the shape lies over itself in layers."))
     elif report.natural_frames:

@@ -1,11 +1,12 @@
 """What the program says about the names and errors that the layers without Qt use."""
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLocale
 
 from app.model.document import Document
 from app.model.marks import Side, witness
 from starskel.correspondence.marks import Mark
 from starskel.errors import InvalidMarks, InvalidPolygon, StarskelError, Told
+from starskel.files.project import letter
 
 translate = QCoreApplication.translate
 
@@ -22,9 +23,23 @@ _METHODS = (
 )
 
 
+def figure(text: str) -> str:
+    """Write numbers as the user's language does; where it has a decimal comma, lists need another sign."""
+    point = QLocale().decimalPoint()
+    if point == ".":
+        return text
+    text = "0" + text if text.startswith(".") else text
+    return text.replace("...", "…").replace(", ", "; ").replace(".", point)
+
+
 def step(name: str) -> str:
     """Give the name of an edit as the menu shows it."""
     return translate("Step", name)
+
+
+def example(text: str) -> str:
+    """Give the name or the description of an example that comes with the program."""
+    return translate("Example", text) if text else ""
 
 
 def hint(text: str) -> str:
@@ -46,6 +61,34 @@ def catch(kind: str, angle: int) -> str:
 def method(name: str) -> str:
     """Give the name of a blending method."""
     return translate("Method", name)
+
+
+def step_letters(step: int) -> str:
+    """Give a step by the letters of its shapes."""
+    return f"{letter(step)} \N{RIGHTWARDS ARROW} {letter(step + 1)}"
+
+
+def canvas(document: Document, side_name: Side) -> str:
+    """Give the name of what is on a canvas: with the shape's letter where there are several steps."""
+    if document.sequence.steps == 1:
+        return side(side_name)
+    text = (
+        translate("Side", "{letter} (source)")
+        if side_name == "source"
+        else translate("Side", "{letter} (target)")
+    )
+    return text.format(letter=letter(document.shape_on(side_name)))
+
+
+def invitation(document: Document, side_name: Side) -> str:
+    """Say what is to be drawn on a canvas."""
+    if document.sequence.steps > 1:
+        return translate("Canvas", "Draw shape {letter} here").format(
+            letter=letter(document.shape_on(side_name))
+        )
+    if side_name == "source":
+        return translate("Canvas", "Draw the source shape here")
+    return translate("Canvas", "Draw the target shape here")
 
 
 def side(name: Side) -> str:

@@ -5,868 +5,1035 @@
     <name></name>
     <message>
         <source>{name} ends in &quot;{ending}&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} endet auf „{ending}“</translation>
     </message>
     <message>
         <source>end it in {endings}</source>
-        <translation type="unfinished"></translation>
+        <translation>lassen Sie den Namen auf {endings} enden</translation>
+    </message>
+    <message>
+        <source>one shape alone has nothing to become</source>
+        <translation>eine Form allein hat nichts, in das sie übergehen könnte</translation>
+    </message>
+    <message>
+        <source>keep two shapes at least</source>
+        <translation>behalten Sie mindestens zwei Formen</translation>
+    </message>
+    <message>
+        <source>a step this short cannot be seen</source>
+        <translation>ein so kurzer Schritt ist nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>let it last longer</source>
+        <translation>lassen Sie ihn länger dauern</translation>
     </message>
     <message>
         <source>there are marks, but not both shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt Marken, aber nicht beide Formen</translation>
     </message>
     <message>
         <source>draw both shapes first</source>
-        <translation type="unfinished"></translation>
+        <translation>zeichnen Sie zuerst beide Formen</translation>
     </message>
     <message>
         <source>{count} vertices would be left, and a polygon has at least 3</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Eckpunkte blieben übrig, und ein Polygon hat mindestens 3</translation>
     </message>
     <message>
         <source>select all vertices to delete the whole shape</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie alle Eckpunkte aus, um die ganze Form zu löschen</translation>
     </message>
     <message>
         <source>the SVG declares entities</source>
-        <translation type="unfinished"></translation>
+        <translation>das SVG vereinbart Entitäten</translation>
     </message>
     <message>
         <source>save it as plain SVG</source>
-        <translation type="unfinished"></translation>
+        <translation>speichern Sie es als einfaches SVG</translation>
     </message>
     <message>
         <source>the SVG is damaged: {error}</source>
-        <translation type="unfinished"></translation>
+        <translation>das SVG ist beschädigt: {error}</translation>
     </message>
     <message>
         <source>copy it again</source>
-        <translation type="unfinished"></translation>
+        <translation>kopieren Sie es noch einmal</translation>
     </message>
     <message>
         <source>there is no outline on the clipboard</source>
-        <translation type="unfinished"></translation>
+        <translation>in der Zwischenablage ist kein Umriss</translation>
     </message>
     <message>
         <source>copy a shape here, or a path in another program</source>
-        <translation type="unfinished"></translation>
+        <translation>kopieren Sie hier eine Form oder in einem anderen Programm einen Pfad</translation>
     </message>
     <message>
         <source>no blend without crossings was found: a shape is all but as narrow as rounding</source>
-        <translation type="unfinished"></translation>
+        <translation>es fand sich kein Übergang ohne Kreuzungen: eine Form ist fast so schmal wie die Rundung der Zahlen</translation>
     </message>
     <message>
         <source>widen its narrowest parts, or add marks</source>
-        <translation type="unfinished"></translation>
+        <translation>machen Sie ihre schmalsten Stellen breiter, oder setzen Sie weitere Marken</translation>
     </message>
     <message>
         <source>the edge from vertex {i} at ({x:g}, {y:g}) is too short for new vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>die Kante ab Eckpunkt {i} bei ({x:g}, {y:g}) ist zu kurz für neue Eckpunkte</translation>
     </message>
     <message>
         <source>remove that vertex or mark more correspondences nearby</source>
-        <translation type="unfinished"></translation>
+        <translation>entfernen Sie diesen Eckpunkt, oder setzen Sie in der Nähe weitere Marken</translation>
     </message>
     <message>
         <source>the marks are not pairs of vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>die Marken sind keine Paare von Eckpunkten</translation>
     </message>
     <message>
         <source>give each mark as (vertex of the source, vertex of the target), counted from 0</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie jede Marke als (Eckpunkt der Quelle, Eckpunkt des Ziels) an, gezählt ab 0</translation>
     </message>
     <message>
         <source>source</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle</translation>
     </message>
     <message>
         <source>target</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel</translation>
     </message>
     <message>
         <source>mark {number} names vertex {vertex} of the {name}, which has {count}</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke {number} nennt den Eckpunkt {vertex} ({name}); es gibt dort nur {count}</translation>
     </message>
     <message>
         <source>give a vertex from 0 to {last}</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie einen Eckpunkt von 0 bis {last} an</translation>
     </message>
     <message>
         <source>marks {earlier} and {number} both name vertex {vertex} of the {name}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Marken {earlier} und {number} nennen beide den Eckpunkt {vertex} ({name})</translation>
     </message>
     <message>
         <source>remove one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>entfernen Sie eine davon</translation>
     </message>
     <message>
         <source>marks {first} {a} and {second} {b} come in one order round the source and in the other round the target</source>
-        <translation type="unfinished"></translation>
+        <translation>die Marken {first} {a} und {second} {b} folgen um die Quelle in der einen Reihenfolge aufeinander und um das Ziel in der anderen</translation>
     </message>
     <message>
         <source>remove or move one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>entfernen oder verschieben Sie eines davon</translation>
     </message>
     <message>
         <source>{where}: {what}</source>
-        <translation type="unfinished"></translation>
+        <translation>{where}: {what}</translation>
     </message>
     <message>
         <source>{first} or {second}</source>
-        <translation type="unfinished"></translation>
+        <translation>{first} oder {second}</translation>
     </message>
     <message>
         <source>{path} cannot be read: {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} kann nicht gelesen werden: {reason}</translation>
     </message>
     <message>
         <source>give the path of a readable file</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie eine Datei, die gelesen werden kann</translation>
     </message>
     <message>
         <source>{path} is no path</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} ist kein Pfad</translation>
     </message>
     <message>
         <source>choose a folder that exists and may be written to</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie einen vorhandenen Ordner, in den geschrieben werden darf</translation>
     </message>
     <message>
         <source>{path} cannot be written: {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} kann nicht geschrieben werden: {reason}</translation>
     </message>
     <message>
         <source>choose a folder, or a place where one may be made</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie einen Ordner oder einen Ort, an dem einer angelegt werden darf</translation>
     </message>
     <message>
         <source>{path} cannot be made a folder: {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} kann nicht als Ordner angelegt werden: {reason}</translation>
     </message>
     <message>
         <source>No such file or directory</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei oder Ordner nicht gefunden</translation>
     </message>
     <message>
         <source>Permission denied</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Berechtigung</translation>
     </message>
     <message>
         <source>Is a directory</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist ein Ordner</translation>
     </message>
     <message>
         <source>Not a directory</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist kein Ordner</translation>
     </message>
     <message>
         <source>No space left on device</source>
-        <translation type="unfinished"></translation>
+        <translation>auf dem Datenträger ist kein Platz mehr</translation>
     </message>
     <message>
         <source>Read-only file system</source>
-        <translation type="unfinished"></translation>
+        <translation>der Datenträger kann nur gelesen werden</translation>
     </message>
     <message>
         <source>{path} has the format &quot;{found}&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} hat das Format „{found}“</translation>
     </message>
     <message>
         <source>{path} does not name its format</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} nennt sein Format nicht</translation>
     </message>
     <message>
         <source>give a file of the format {names}</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie eine Datei des Formats {names}</translation>
     </message>
     <message>
         <source>correct the file at this place</source>
-        <translation type="unfinished"></translation>
+        <translation>berichtigen Sie die Datei an dieser Stelle</translation>
     </message>
     <message>
         <source>{path} is damaged: {error}</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} ist beschädigt: {error}</translation>
     </message>
     <message>
         <source>take an undamaged copy</source>
-        <translation type="unfinished"></translation>
+        <translation>nehmen Sie eine unbeschädigte Kopie</translation>
     </message>
     <message>
         <source>{path} has no pair &quot;{name}&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} hat kein Paar „{name}“</translation>
     </message>
     <message>
         <source>{path}: pair &quot;{name}&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: Paar „{name}“</translation>
     </message>
     <message>
         <source>source (p)</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle (p)</translation>
     </message>
     <message>
         <source>target (q)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel (q)</translation>
     </message>
     <message>
         <source>choose one of {names}</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie eines von {names}</translation>
     </message>
     <message>
         <source>{path} holds no pair</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} enthält kein Paar</translation>
     </message>
     <message>
         <source>give a file with at least one pair</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie eine Datei mit mindestens einem Paar</translation>
     </message>
     <message>
         <source>{path} has two pairs &quot;{name}&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} hat zwei Paare „{name}“</translation>
     </message>
     <message>
         <source>rename one of them</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{path} has marks, but not both shapes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>add the missing shape or remove the marks</source>
-        <translation type="unfinished"></translation>
+        <translation>benennen Sie eines davon um</translation>
     </message>
     <message>
         <source>{path} shows the method &quot;{name}&quot;, which this program does not know</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} zeigt die Methode „{name}“, die dieses Programm nicht kennt</translation>
     </message>
     <message>
         <source>open it with a newer starskel, or name one of {names}</source>
-        <translation type="unfinished"></translation>
+        <translation>öffnen Sie es mit einem neueren starskel, oder nennen Sie eine von {names}</translation>
     </message>
     <message>
         <source>{path} shows the method &quot;{name}&quot; twice</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} zeigt die Methode „{name}“ zweimal</translation>
     </message>
     <message>
         <source>name it once</source>
-        <translation type="unfinished"></translation>
+        <translation>nennen Sie sie einmal</translation>
     </message>
     <message>
         <source>{path} is a project of version {version}; this program knows versions up to {newest}</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} ist ein Projekt der Version {version}; dieses Programm kennt Versionen bis {newest}</translation>
+    </message>
+    <message>
+        <source>{name} has no shape {letter} yet</source>
+        <translation>{name} hat noch keine Form {letter}</translation>
+    </message>
+    <message>
+        <source>draw it in the editor and save</source>
+        <translation>zeichnen Sie sie im Editor und speichern Sie</translation>
+    </message>
+    <message>
+        <source>{path}: shape {letter}</source>
+        <translation>{path}: Form {letter}</translation>
     </message>
     <message>
         <source>open it with a newer starskel</source>
-        <translation type="unfinished"></translation>
+        <translation>öffnen Sie es mit einem neueren starskel</translation>
     </message>
     <message>
         <source>{path} is a project of version {version}</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} ist ein Projekt der Version {version}</translation>
     </message>
     <message>
         <source>versions count from 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Versionen zählen ab 1</translation>
+    </message>
+    <message>
+        <source>{path} has {shapes} shapes and {steps} steps</source>
+        <translation>{path} hat {shapes} Formen und {steps} Schritte</translation>
+    </message>
+    <message>
+        <source>give two shapes at least, and a step from each to the next</source>
+        <translation>geben Sie mindestens zwei Formen an, und von jeder einen Schritt zur nächsten</translation>
+    </message>
+    <message>
+        <source>{path} has {pictures} pictures for {shapes} shapes</source>
+        <translation>{path} hat {pictures} Vorlagen für {shapes} Formen</translation>
+    </message>
+    <message>
+        <source>give one for each shape, null where there is none</source>
+        <translation>geben Sie für jede Form eine an, null, wo keine ist</translation>
+    </message>
+    <message>
+        <source>{path}: step {first}-{last}</source>
+        <translation>{path}: Schritt {first}-{last}</translation>
+    </message>
+    <message>
+        <source>{where} has marks, but not both shapes</source>
+        <translation>{where} hat Marken, aber nicht beide Formen</translation>
+    </message>
+    <message>
+        <source>add the shape or remove the marks</source>
+        <translation>fügen Sie die Form hinzu, oder entfernen Sie die Marken</translation>
     </message>
     <message>
         <source>the points are not numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>die Punkte sind keine Zahlen</translation>
     </message>
     <message>
         <source>give rows of x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie Zeilen aus x und y an</translation>
     </message>
     <message>
         <source>a polygon of {count} points</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Polygon aus {count} Punkten</translation>
     </message>
     <message>
         <source>give at least 3 vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie mindestens 3 Eckpunkte an</translation>
     </message>
     <message>
         <source>vertex {i} is at ({x:g}, {y:g})</source>
-        <translation type="unfinished"></translation>
+        <translation>Eckpunkt {i} liegt bei ({x:g}, {y:g})</translation>
     </message>
     <message>
         <source>give finite coordinates below {largest:g}</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie endliche Koordinaten unter {largest:g} an</translation>
     </message>
     <message>
         <source>all points are the same</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Punkte sind gleich</translation>
     </message>
     <message>
         <source>give at least 3 different vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie mindestens 3 verschiedene Eckpunkte an</translation>
     </message>
     <message>
         <source>vertices {i} and {j} are both at ({x:g}, {y:g})</source>
-        <translation type="unfinished"></translation>
+        <translation>die Eckpunkte {i} und {j} liegen beide bei ({x:g}, {y:g})</translation>
     </message>
     <message>
         <source>all vertices lie on one line: the area is zero</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Eckpunkte liegen auf einer Geraden: die Fläche ist null</translation>
     </message>
     <message>
         <source>move a vertex off the line</source>
-        <translation type="unfinished"></translation>
+        <translation>rücken Sie einen Eckpunkt von der Geraden weg</translation>
     </message>
     <message>
         <source>edges {first} and {second} cross or touch at ({x:g}, {y:g})</source>
-        <translation type="unfinished"></translation>
+        <translation>die Kanten {first} und {second} kreuzen oder berühren sich bei ({x:g}, {y:g})</translation>
     </message>
     <message>
         <source>move or remove one of these vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>verschieben oder entfernen Sie einen dieser Eckpunkte</translation>
     </message>
     <message>
         <source>vertex {i} all but touches edge {edge} at ({x:g}, {y:g})</source>
-        <translation type="unfinished"></translation>
+        <translation>Eckpunkt {i} berührt bei ({x:g}, {y:g}) fast die Kante {edge}</translation>
     </message>
     <message>
         <source>move it away from the edge, or move the shape nearer to the coordinates&apos; origin</source>
-        <translation type="unfinished"></translation>
+        <translation>rücken Sie ihn von der Kante weg, oder die ganze Form näher an den Ursprung der Koordinaten</translation>
     </message>
     <message>
         <source>the polygon all but touches itself near vertex {i}, at ({x:g}, {y:g})</source>
-        <translation type="unfinished"></translation>
+        <translation>das Polygon berührt sich fast selbst, nahe Eckpunkt {i} bei ({x:g}, {y:g})</translation>
     </message>
     <message>
         <source>move this vertex, or those next to it, apart</source>
-        <translation type="unfinished"></translation>
+        <translation>rücken Sie diesen Eckpunkt oder seine Nachbarn auseinander</translation>
+    </message>
+    <message>
+        <source>this is no picture, or of a kind that is not known here</source>
+        <translation>das ist kein Bild, oder eines von einer Art, die hier nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>save it as PNG or JPEG</source>
+        <translation>speichern Sie es als PNG oder JPEG</translation>
     </message>
 </context>
 <context>
     <name>Canvas</name>
     <message>
+        <source>Draw shape {letter} here</source>
+        <translation>Zeichnen Sie hier die Form {letter}</translation>
+    </message>
+    <message>
         <source>Draw the source shape here</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnen Sie hier die Quelle</translation>
     </message>
     <message>
         <source>Draw the target shape here</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnen Sie hier das Ziel</translation>
     </message>
     <message>
         <source>Click to set each vertex; click the first one again to close.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Klick setzt einen Eckpunkt; ein Klick auf den ersten schließt die Form.</translation>
     </message>
     <message>
-        <source>Press D for the drawing tool, or Ctrl+O to open a file.</source>
-        <translation type="unfinished"></translation>
+        <source>Take a tool from the left, drop a picture to draw over, or open a file.</source>
+        <translation>Nehmen Sie links ein Werkzeug, ziehen Sie eine Vorlage zum Nachzeichnen hierher, oder öffnen Sie eine Datei.</translation>
     </message>
 </context>
 <context>
     <name>Catch</name>
     <message>
         <source>vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>Eckpunkt</translation>
     </message>
     <message>
         <source>level with a vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>auf Höhe eines Eckpunkts</translation>
     </message>
     <message>
         <source>edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Kante</translation>
     </message>
     <message>
         <source>{angle}°</source>
-        <translation type="unfinished"></translation>
+        <translation>{angle}°</translation>
     </message>
     <message>
         <source>grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Gitter</translation>
     </message>
 </context>
 <context>
     <name>Command</name>
     <message>
         <source>&amp;New</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neu</translation>
     </message>
     <message>
         <source>Start with two empty canvases</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit zwei leeren Flächen beginnen</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ö&amp;ffnen…</translation>
     </message>
     <message>
         <source>Open a project or a file of polygon pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Projekt oder eine Datei mit Polygonpaaren öffnen</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Speichern</translation>
     </message>
     <message>
         <source>Save the project</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt speichern</translation>
     </message>
     <message>
         <source>Save &amp;As…</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern &amp;unter…</translation>
     </message>
     <message>
         <source>Save the project under another name</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt unter einem anderen Namen speichern</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exportieren…</translation>
     </message>
     <message>
         <source>Export keyframes as SVG or PostScript</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlüsselbilder als SVG oder PostScript exportieren</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>Been&amp;den</translation>
     </message>
     <message>
         <source>Close the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Fenster schließen</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rückgängig</translation>
     </message>
     <message>
         <source>Take back the last edit</source>
-        <translation type="unfinished"></translation>
+        <translation>Die letzte Änderung zurücknehmen</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
         <source>Bring back what was undone</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Zurückgenommene wiederbringen</translation>
     </message>
     <message>
         <source>Select &amp;All</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle&amp;s auswählen</translation>
     </message>
     <message>
         <source>Select all vertices of the shape last worked on</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Eckpunkte der zuletzt bearbeiteten Form auswählen</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Löschen</translation>
     </message>
     <message>
         <source>Delete the selected vertices</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ausgewählten Eckpunkte löschen</translation>
     </message>
     <message>
         <source>Give up the gesture or the computation under way</source>
-        <translation type="unfinished"></translation>
+        <translation>Die begonnene Bewegung oder die laufende Berechnung abbrechen</translation>
     </message>
     <message>
         <source>&amp;Mark</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Marken</translation>
     </message>
     <message>
         <source>Mark vertices that correspond</source>
-        <translation type="unfinished"></translation>
+        <translation>Eckpunkte markieren, die einander entsprechen</translation>
     </message>
     <message>
         <source>S&amp;uggest Marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken &amp;vorschlagen</translation>
     </message>
     <message>
         <source>Replace all marks by ones that suggest themselves</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Marks Table</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Marken durch vorgeschlagene ersetzen</translation>
     </message>
     <message>
         <source>Show the marks as a table, to be edited by the keyboard</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Marken als Tabelle zeigen, die sich mit der Tastatur bearbeiten lässt</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein&amp;passen</translation>
     </message>
     <message>
         <source>Show both shapes whole</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Formen ganz zeigen</translation>
     </message>
     <message>
         <source>Zoom &amp;In</source>
-        <translation type="unfinished"></translation>
+        <translation>Ver&amp;größern</translation>
     </message>
     <message>
         <source>Show both shapes larger</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Formen größer zeigen</translation>
     </message>
     <message>
         <source>Zoom &amp;Out</source>
-        <translation type="unfinished"></translation>
+        <translation>Ver&amp;kleinern</translation>
     </message>
     <message>
         <source>Show both shapes smaller</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Formen kleiner zeigen</translation>
     </message>
     <message>
         <source>Star &amp;Pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>Stern-S&amp;tücke</translation>
     </message>
     <message>
         <source>Show the star pieces in the frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Stern-Stücke in den Zwischenbildern zeigen</translation>
     </message>
     <message>
         <source>S&amp;keleton</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Skelett</translation>
     </message>
     <message>
         <source>Show the skeleton in the frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Skelett in den Zwischenbildern zeigen</translation>
     </message>
     <message>
-        <source>&amp;Onion Skin</source>
-        <translation type="unfinished"></translation>
+        <source>Onion &amp;Skin</source>
+        <translation>Z&amp;wiebelhaut</translation>
+    </message>
+    <message>
+        <source>Language of the S&amp;ystem</source>
+        <translation>Sprache des S&amp;ystems</translation>
+    </message>
+    <message>
+        <source>De&amp;utsch</source>
+        <translation>De&amp;utsch</translation>
     </message>
     <message>
         <source>Show frames before and after as faint outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischenbilder davor und danach als blasse Umrisse zeigen</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>A&amp;bbrechen</translation>
+    </message>
+    <message>
+        <source>Marks Ta&amp;ble</source>
+        <translation>Marken-Ta&amp;belle</translation>
     </message>
     <message>
         <source>Pat&amp;hs</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bahnen</translation>
     </message>
     <message>
         <source>Show the paths of the vertices through time</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bahnen der Eckpunkte durch die Zeit zeigen</translation>
     </message>
     <message>
         <source>Vertex &amp;Numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummern der &amp;Eckpunkte</translation>
     </message>
     <message>
         <source>Show the numbers of the vertices, as the table of marks uses them</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Eckpunkte so nummeriert zeigen, wie die Marken-Tabelle sie nennt</translation>
     </message>
     <message>
         <source>&amp;Light</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hell</translation>
     </message>
     <message>
         <source>Dark writing on light ground</source>
-        <translation type="unfinished"></translation>
+        <translation>Dunkle Schrift auf hellem Grund</translation>
     </message>
     <message>
         <source>&amp;Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dunkel</translation>
     </message>
     <message>
         <source>Light writing on dark ground</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Language of the &amp;System</source>
-        <translation type="unfinished"></translation>
+        <translation>Helle Schrift auf dunklem Grund</translation>
     </message>
     <message>
         <source>Speak the language of the system, from the next start on</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sprache des Systems sprechen, vom nächsten Start an</translation>
     </message>
     <message>
         <source>&amp;English</source>
-        <translation type="unfinished"></translation>
+        <translation>Eng&amp;lish</translation>
     </message>
     <message>
         <source>Speak English, from the next start on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Deutsch</source>
-        <translation type="unfinished"></translation>
+        <translation>Englisch sprechen, vom nächsten Start an</translation>
     </message>
     <message>
         <source>Speak German, from the next start on</source>
-        <translation type="unfinished"></translation>
+        <translation>Deutsch sprechen, vom nächsten Start an</translation>
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Abspielen</translation>
     </message>
     <message>
         <source>Play or pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Abspielen oder anhalten</translation>
     </message>
     <message>
         <source>Go to &amp;Source</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur &amp;Quelle</translation>
     </message>
     <message>
         <source>Show the source, t = 0</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Quelle zeigen, t = 0</translation>
     </message>
     <message>
         <source>Go to &amp;Target</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum &amp;Ziel</translation>
     </message>
     <message>
         <source>Show the target, t = 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ziel zeigen, t = 1</translation>
     </message>
     <message>
         <source>Frame &amp;Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischenbild z&amp;urück</translation>
     </message>
     <message>
         <source>Stop, and show the frame before</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten und das vorige Zwischenbild zeigen</translation>
     </message>
     <message>
         <source>Frame For&amp;ward</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischenbild v&amp;or</translation>
     </message>
     <message>
         <source>Stop, and show the next frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten und das nächste Zwischenbild zeigen</translation>
     </message>
     <message>
         <source>Ne&amp;xt Crossing</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächste &amp;Kreuzung</translation>
     </message>
     <message>
         <source>Stop where the next of the blends shown crosses itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Dort anhalten, wo sich der nächste der gezeigten Übergänge kreuzt</translation>
     </message>
     <message>
         <source>&amp;Compute Again</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neu berechnen</translation>
     </message>
     <message>
         <source>Compute all blends anew</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Übergänge neu berechnen</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Datei</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
         <source>&amp;Shape</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Form</translation>
+    </message>
+    <message>
+        <source>Se&amp;quence</source>
+        <translation>F&amp;olge</translation>
     </message>
     <message>
         <source>&amp;Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Werkzeuge</translation>
     </message>
     <message>
         <source>&amp;Blend</source>
-        <translation type="unfinished"></translation>
+        <translation>Über&amp;gang</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ansicht</translation>
     </message>
     <message>
         <source>&amp;Select</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Auswählen</translation>
     </message>
     <message>
         <source>Select, move, scale, turn, insert and delete vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>Eckpunkte auswählen, verschieben, skalieren, drehen, einfügen und löschen</translation>
     </message>
     <message>
         <source>&amp;Draw</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zeichnen</translation>
     </message>
     <message>
         <source>Draw a shape vertex by vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Form Eckpunkt für Eckpunkt zeichnen</translation>
     </message>
     <message>
         <source>&amp;Freehand</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Freihand</translation>
     </message>
     <message>
         <source>Draw a shape by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Form von Hand zeichnen</translation>
     </message>
     <message>
         <source>&amp;Rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rechteck</translation>
     </message>
     <message>
         <source>Draw a rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Rechteck zeichnen</translation>
     </message>
     <message>
         <source>&amp;Ellipse</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ellipse</translation>
     </message>
     <message>
         <source>Draw an ellipse</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Ellipse zeichnen</translation>
     </message>
     <message>
         <source>Regular &amp;Polygon</source>
-        <translation type="unfinished"></translation>
+        <translation>Rege&amp;lmäßiges Vieleck</translation>
     </message>
     <message>
         <source>Draw a regular polygon</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein regelmäßiges Vieleck zeichnen</translation>
     </message>
     <message>
         <source>S&amp;tar</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Stern</translation>
     </message>
     <message>
         <source>Draw a star</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Stern zeichnen</translation>
     </message>
     <message>
         <source>Te&amp;xt</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Text</translation>
     </message>
     <message>
         <source>Set a letter or a text in outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Buchstaben oder einen Text als Umriss setzen</translation>
+    </message>
+    <message>
+        <source>P&amp;icture</source>
+        <translation>V&amp;orlage</translation>
+    </message>
+    <message>
+        <source>Place a picture behind a shape, to draw over it</source>
+        <translation>Ein Bild hinter eine Form legen, um es nachzuzeichnen</translation>
     </message>
     <message>
         <source>Snap to &amp;Vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>An E&amp;ckpunkten einrasten</translation>
     </message>
     <message>
         <source>Let vertices catch the pointer, and their heights and sides</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Zeiger rastet an Eckpunkten ein, und auf gleicher Höhe mit ihnen</translation>
     </message>
     <message>
-        <source>Snap to &amp;Edges</source>
-        <translation type="unfinished"></translation>
+        <source>S&amp;nap to Edges</source>
+        <translation>An &amp;Kanten einrasten</translation>
     </message>
     <message>
         <source>Let edges catch the pointer, and the lines that lengthen them</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Zeiger rastet an Kanten ein, und an ihren Verlängerungen</translation>
     </message>
     <message>
         <source>Snap to &amp;15°</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei &amp;15° einrasten</translation>
     </message>
     <message>
         <source>Let edges catch at multiples of 15°</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanten rasten bei Vielfachen von 15° ein</translation>
     </message>
     <message>
         <source>Snap to &amp;Grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Am &amp;Gitter einrasten</translation>
     </message>
     <message>
         <source>Show a grid and go from point to point of it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gitter zeigen und auf ihm von Punkt zu Punkt gehen</translation>
     </message>
     <message>
         <source>Cu&amp;t Shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Form &amp;ausschneiden</translation>
     </message>
     <message>
         <source>Take the shape last worked on to the clipboard</source>
-        <translation type="unfinished"></translation>
+        <translation>Die zuletzt bearbeitete Form in die Zwischenablage nehmen</translation>
     </message>
     <message>
         <source>&amp;Copy Shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Form &amp;kopieren</translation>
     </message>
     <message>
         <source>Copy the shape last worked on; other programs get it as SVG</source>
-        <translation type="unfinished"></translation>
+        <translation>Die zuletzt bearbeitete Form kopieren; andere Programme bekommen sie als SVG</translation>
     </message>
     <message>
         <source>&amp;Paste Shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Form &amp;einfügen</translation>
     </message>
     <message>
         <source>Put a copied shape, or an SVG outline, on the canvas last worked on</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine kopierte Form oder einen SVG-Umriss auf die zuletzt bearbeitete Fläche setzen</translation>
     </message>
     <message>
         <source>Copy to &amp;Other Canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf die &amp;andere Fläche kopieren</translation>
     </message>
     <message>
         <source>Begin the other shape with a copy of this one, marks and all</source>
-        <translation type="unfinished"></translation>
+        <translation>Die andere Form mit einer Kopie von dieser beginnen, samt Marken</translation>
     </message>
     <message>
         <source>&amp;Reverse</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Umkehren</translation>
     </message>
     <message>
         <source>Exchange source and target with their marks: the blend runs backwards</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle und Ziel mit ihren Marken vertauschen: der Übergang läuft rückwärts</translation>
     </message>
     <message>
         <source>&amp;Mirror Left and Right</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Links und rechts spiegeln</translation>
     </message>
     <message>
         <source>Exchange left and right of the selection, or of the whole shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Links und rechts der Auswahl vertauschen, oder der ganzen Form</translation>
     </message>
     <message>
         <source>Mirror &amp;Up and Down</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Oben und unten spiegeln</translation>
     </message>
     <message>
         <source>Exchange above and below of the selection, or of the whole shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Oben und unten der Auswahl vertauschen, oder der ganzen Form</translation>
     </message>
     <message>
         <source>&amp;Simplify</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vereinfachen</translation>
     </message>
     <message>
         <source>Leave out vertices that matter least; then adjust how far</source>
-        <translation type="unfinished"></translation>
+        <translation>Die unwichtigsten Eckpunkte weglassen; danach lässt sich einstellen, wie viele</translation>
     </message>
     <message>
         <source>Re&amp;fine</source>
-        <translation type="unfinished"></translation>
+        <translation>Ver&amp;feinern</translation>
     </message>
     <message>
         <source>Add vertices evenly; then adjust how many</source>
-        <translation type="unfinished"></translation>
+        <translation>Gleichmäßig Eckpunkte hinzufügen; danach lässt sich einstellen, wie viele</translation>
     </message>
     <message>
         <source>Set First &amp;Vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ersten Eckpunkt festlegen</translation>
     </message>
     <message>
         <source>Let the vertices count from the selected one on; it is drawn filled</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Eckpunkte vom ausgewählten an zählen; er wird gefüllt gezeichnet</translation>
+    </message>
+    <message>
+        <source>Open P&amp;icture…</source>
+        <translation>&amp;Bildvorlage öffnen…</translation>
+    </message>
+    <message>
+        <source>Put a picture behind the shape last worked on</source>
+        <translation>Ein Bild hinter die zuletzt bearbeitete Form legen</translation>
+    </message>
+    <message>
+        <source>&amp;Lock Picture</source>
+        <translation>Vorlage &amp;sperren</translation>
+    </message>
+    <message>
+        <source>Let the picture stay where it is</source>
+        <translation>Die Vorlage bleibt, wo sie ist</translation>
+    </message>
+    <message>
+        <source>R&amp;emove Picture</source>
+        <translation>Vorlage e&amp;ntfernen</translation>
+    </message>
+    <message>
+        <source>Take the picture away from behind the shape</source>
+        <translation>Die Vorlage hinter der Form wegnehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Add Key Shape</source>
+        <translation>Schlüsselform &amp;anfügen</translation>
+    </message>
+    <message>
+        <source>Put an empty shape behind the target, for the blend to go on to</source>
+        <translation>Hinter dem Ziel eine leere Form anfügen, zu der der Übergang weitergeht</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate Key Shape</source>
+        <translation>Schlüsselform &amp;duplizieren</translation>
+    </message>
+    <message>
+        <source>Put a copy behind the shape last worked on</source>
+        <translation>Hinter der zuletzt bearbeiteten Form eine Kopie einfügen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Key Shape</source>
+        <translation>Schlüsselform &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Take the shape last worked on out of the sequence</source>
+        <translation>Die zuletzt bearbeitete Form aus der Folge nehmen</translation>
+    </message>
+    <message>
+        <source>Move &amp;Earlier</source>
+        <translation>Nach &amp;vorn rücken</translation>
+    </message>
+    <message>
+        <source>Let the shape last worked on change places with the one before it</source>
+        <translation>Die zuletzt bearbeitete Form mit der vorigen vertauschen</translation>
+    </message>
+    <message>
+        <source>Move &amp;Later</source>
+        <translation>Nach &amp;hinten rücken</translation>
+    </message>
+    <message>
+        <source>Let the shape last worked on change places with the one behind it</source>
+        <translation>Die zuletzt bearbeitete Form mit der folgenden vertauschen</translation>
+    </message>
+    <message>
+        <source>&amp;Previous Step</source>
+        <translation>Vo&amp;riger Schritt</translation>
+    </message>
+    <message>
+        <source>Put the pair of shapes before on the canvases</source>
+        <translation>Das vorige Paar von Formen auf die Flächen holen</translation>
+    </message>
+    <message>
+        <source>&amp;Next Step</source>
+        <translation>&amp;Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>Put the next pair of shapes on the canvases</source>
+        <translation>Das nächste Paar von Formen auf die Flächen holen</translation>
+    </message>
+    <message>
+        <source>Play &amp;Only This Step</source>
+        <translation>Nur diesen &amp;Schritt abspielen</translation>
+    </message>
+    <message>
+        <source>Play only between the two shapes on the canvases, not all shapes</source>
+        <translation>Nur zwischen den beiden Formen auf den Flächen abspielen, nicht durch alle Formen</translation>
     </message>
 </context>
 <context>
     <name>Counts</name>
     <message numerus="yes">
         <source>%n vertices</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Eckpunkt</numerusform>
+            <numerusform>%n Eckpunkte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marks</source>
+        <translation>
+            <numerusform>%n Marke</numerusform>
+            <numerusform>%n Marken</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n marks went with this edit. Undo brings them back.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Marke ging mit dieser Änderung verloren. „Rückgängig“ bringt sie wieder.</numerusform>
+            <numerusform>%n Marken gingen mit dieser Änderung verloren. „Rückgängig“ bringt sie wieder.</numerusform>
         </translation>
     </message>
 </context>
@@ -874,873 +1041,1112 @@
     <name>Dialogs</name>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Projects and polygon pairs (*.json);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekte und Polygonpaare (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open picture</source>
+        <translation>Bildvorlage öffnen</translation>
+    </message>
+    <message>
+        <source>Pictures ({endings});;All files (*)</source>
+        <translation>Bilder ({endings});;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gespeicherte Änderungen</translation>
     </message>
     <message>
         <source>Save the changes to “{name}”?</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Änderungen an „{name}“ speichern?</translation>
     </message>
     <message>
         <source>Otherwise they are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sonst gehen sie verloren.</translation>
     </message>
     <message>
         <source>Not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht möglich</translation>
     </message>
 </context>
 <context>
     <name>Easing</name>
     <message>
         <source>Even</source>
-        <translation type="unfinished"></translation>
+        <translation>Gleichmäßig</translation>
     </message>
     <message>
         <source>Ease in</source>
-        <translation type="unfinished"></translation>
+        <translation>Sanft beginnen</translation>
     </message>
     <message>
         <source>Ease out</source>
-        <translation type="unfinished"></translation>
+        <translation>Sanft enden</translation>
     </message>
     <message>
         <source>Ease in and out</source>
-        <translation type="unfinished"></translation>
+        <translation>Sanft beginnen und enden</translation>
     </message>
     <message>
         <source>Linger at both ends</source>
-        <translation type="unfinished"></translation>
+        <translation>An beiden Enden verweilen</translation>
     </message>
     <message>
         <source>Linger half-way</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf halbem Weg verweilen</translation>
     </message>
 </context>
 <context>
     <name>EasingButton</name>
     <message>
         <source>Easing</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitverlauf</translation>
     </message>
     <message>
         <source>Easing: how t runs over the time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitverlauf: wie t mit der Zeit läuft</translation>
     </message>
 </context>
 <context>
     <name>EasingCurve</name>
     <message>
         <source>Easing curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurve des Zeitverlaufs</translation>
     </message>
     <message>
         <source>Drag a handle; arrow keys move it, Space takes the other one</source>
-        <translation type="unfinished"></translation>
+        <translation>Griff ziehen; Pfeiltasten bewegen ihn, die Leertaste nimmt den anderen</translation>
     </message>
     <message>
         <source>time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
 </context>
 <context>
     <name>EasingPopup</name>
     <message>
         <source>Easing</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitverlauf</translation>
     </message>
     <message>
         <source>As drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>Example</name>
+    <message>
+        <source>An arm bends</source>
+        <translation>Ein Arm beugt sich</translation>
+    </message>
+    <message>
+        <source>A comb bends</source>
+        <translation>Ein Kamm biegt sich</translation>
+    </message>
+    <message>
+        <source>Figure 1: a gecko walks</source>
+        <translation>Abbildung 1: ein Gecko läuft</translation>
+    </message>
+    <message>
+        <source>Both poses fall into the same star pieces, and a skeleton joins these; the pieces carry the gecko from pose to pose.</source>
+        <translation>Beide Haltungen zerfallen in dieselben Stern-Stücke, die ein Skelett verbindet; die Stücke tragen den Gecko von einer Haltung zur anderen.</translation>
+    </message>
+    <message>
+        <source>Figure 11: a snake coils</source>
+        <translation>Abbildung 11: eine Schlange rollt sich ein</translation>
+    </message>
+    <message>
+        <source>The head was outside the coil and comes inside: somewhere it must pass over the tail, as a snake in the world would.</source>
+        <translation>Der Kopf lag außerhalb der Windung und kommt hinein: irgendwo muss er über den Schwanz hinweg, wie bei einer wirklichen Schlange.</translation>
+    </message>
+    <message>
+        <source>Figure 2: a snake turns</source>
+        <translation>Abbildung 2: eine Schlange wendet</translation>
+    </message>
+    <message>
+        <source>Vertex interpolation shrinks the body to a quarter and runs it through itself; the star-skeleton bends it.</source>
+        <translation>Die Methode „Eckpunkte“ lässt den Körper auf ein Viertel schrumpfen und durch sich selbst laufen; das Stern-Skelett biegt ihn.</translation>
+    </message>
+    <message>
+        <source>Figure 3: a swan dips</source>
+        <translation>Abbildung 3: ein Schwan taucht ein</translation>
+    </message>
+    <message>
+        <source>Edge-angle interpolation blows the body up by a fifth on the way; the star-skeleton, which knows the inside, by half as much.</source>
+        <translation>Die Methode „Kanten und Winkel“ bläht den Körper unterwegs um ein Fünftel auf; das Stern-Skelett, das das Innere kennt, um halb so viel.</translation>
+    </message>
+    <message>
+        <source>Figure 4: an octopus</source>
+        <translation>Abbildung 4: ein Krake</translation>
+    </message>
+    <message>
+        <source>Six arms bend and stretch at once: edge-angle interpolation distorts the area, the star-skeleton keeps it within some hundredths.</source>
+        <translation>Sechs Arme biegen und strecken sich zugleich: „Kanten und Winkel“ verzerrt die Fläche, das Stern-Skelett hält sie auf wenige Hundertstel.</translation>
+    </message>
+    <message>
+        <source>Figure 5: an elephant</source>
+        <translation>Abbildung 5: ein Elefant</translation>
+    </message>
+    <message>
+        <source>Edge-angle interpolation pushes edges through each other where the trunk bends; the star-skeleton does not.</source>
+        <translation>Die Methode „Kanten und Winkel“ schiebt Kanten durcheinander, wo sich der Rüssel biegt; das Stern-Skelett nicht.</translation>
+    </message>
+    <message>
+        <source>Figure 6: an eel curls</source>
+        <translation>Abbildung 6: ein Aal krümmt sich</translation>
+    </message>
+    <message>
+        <source>Edge-angle interpolation runs the tail through itself; the star-skeleton keeps both sides of it apart.</source>
+        <translation>Die Methode „Kanten und Winkel“ lässt den Schwanz durch sich selbst laufen; das Stern-Skelett hält seine beiden Seiten auseinander.</translation>
+    </message>
+    <message>
+        <source>Figure 8: two zigzags</source>
+        <translation>Abbildung 8: zwei Zickzacke</translation>
+    </message>
+    <message>
+        <source>No diagonals of the one are diagonals of the other, so only added Steiner vertices cut both into the same star pieces.</source>
+        <translation>Keine Diagonale des einen ist eine des anderen; nur zusätzliche Steiner-Punkte zerlegen beide in dieselben Stern-Stücke.</translation>
+    </message>
+    <message>
+        <source>Arms swing</source>
+        <translation>Arme schwingen</translation>
+    </message>
+    <message>
+        <source>A hand opens</source>
+        <translation>Eine Hand öffnet sich</translation>
+    </message>
+    <message>
+        <source>C becomes S</source>
+        <translation>C wird S</translation>
+    </message>
+    <message>
+        <source>U becomes S</source>
+        <translation>U wird S</translation>
+    </message>
+    <message>
+        <source>Five points become eight</source>
+        <translation>Fünf Spitzen werden acht</translation>
     </message>
 </context>
 <context>
     <name>ExportDialog</name>
     <message>
         <source>Keyframes in a row</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlüsselbilder in einer Reihe</translation>
     </message>
     <message>
         <source>One frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Zwischenbild</translation>
     </message>
     <message>
         <source>A page for each keyframe</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Seite je Schlüsselbild</translation>
     </message>
     <message>
         <source>All methods side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Methoden nebeneinander</translation>
     </message>
     <message>
         <source>Export keyframes</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlüsselbilder exportieren</translation>
     </message>
     <message>
         <source>Marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken</translation>
     </message>
     <message>
         <source>Star pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>Stern-Stücke</translation>
     </message>
     <message>
         <source>Skeleton</source>
-        <translation type="unfinished"></translation>
+        <translation>Skelett</translation>
     </message>
     <message>
         <source>&amp;What</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Was</translation>
     </message>
     <message>
         <source>&amp;Method</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Methode</translation>
     </message>
     <message>
         <source>&amp;Keyframes</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Schlüsselbilder</translation>
     </message>
     <message>
         <source>&amp;Time t</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zeit t</translation>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen</translation>
     </message>
     <message>
         <source>Formats</source>
-        <translation type="unfinished"></translation>
+        <translation>Formate</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exportieren…</translation>
     </message>
 </context>
 <context>
     <name>Faults</name>
     <message>
         <source>A fault in the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Fehler im Programm</translation>
     </message>
     <message>
         <source>Something went wrong inside the program. Your document is still here: save it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Programm ist etwas schiefgegangen. Ihr Dokument ist noch da: speichern Sie es.</translation>
     </message>
 </context>
 <context>
     <name>Files</name>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbenannt</translation>
     </message>
     <message>
         <source>{name} cannot be opened</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} lässt sich nicht öffnen</translation>
     </message>
     <message>
         <source>Save project</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt speichern</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>{name} was not written</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} wurde nicht geschrieben</translation>
     </message>
     <message>
         <source>Exported to {path}</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportiert nach {path}</translation>
     </message>
     <message>
         <source>{name} was not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} wurde nicht gespeichert</translation>
     </message>
 </context>
 <context>
     <name>Hint</name>
     <message>
         <source>Adjust the last step in the options above, or go on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den letzten Schritt oben in den Optionen anpassen oder weiterarbeiten.</translation>
     </message>
     <message>
         <source>Click to set the first vertex; the new shape replaces the one on its canvas.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Klick setzt den ersten Eckpunkt; die neue Form ersetzt die auf ihrer Fläche.</translation>
     </message>
     <message>
         <source>Click adds a vertex; the first vertex or Enter closes. Backspace takes one back, Esc cancels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick setzt einen Eckpunkt; der erste Eckpunkt oder Enter schließt. Rücktaste nimmt einen zurück, Esc bricht ab.</translation>
     </message>
     <message>
         <source>Drag from corner to corner. Shift makes a square; Ctrl suspends snapping.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Ecke zu Ecke ziehen. Umschalt macht ein Quadrat; Strg setzt das Einrasten aus.</translation>
     </message>
     <message>
         <source>Drag from corner to corner of its box. Shift makes a circle; Ctrl suspends snapping.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihren Rahmen von Ecke zu Ecke ziehen. Umschalt macht einen Kreis; Strg setzt das Einrasten aus.</translation>
     </message>
     <message>
         <source>Drag from the middle to a corner. Shift turns by steps of 15°; Ctrl suspends snapping.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von der Mitte zu einer Ecke ziehen. Umschalt dreht in Schritten von 15°; Strg setzt das Einrasten aus.</translation>
     </message>
     <message>
         <source>Drag from the middle to a point. Shift turns by steps of 15°; Ctrl suspends snapping.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von der Mitte zu einer Spitze ziehen. Umschalt dreht in Schritten von 15°; Strg setzt das Einrasten aus.</translation>
     </message>
     <message>
         <source>Release to draw the figure; Esc gives it up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Loslassen zeichnet die Figur; Esc gibt sie auf.</translation>
     </message>
     <message>
         <source>Press and draw the outline in one go; it closes itself. How closely it is followed is set above.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drücken und den Umriss in einem Zug zeichnen; er schließt sich selbst. Wie genau ihm gefolgt wird, ist oben einstellbar.</translation>
     </message>
     <message>
         <source>Release to close the outline; Esc gives it up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Loslassen schließt den Umriss; Esc gibt ihn auf.</translation>
     </message>
     <message>
         <source>Click a vertex, then its partner on the other canvas, or drag from one to the other. Click a pin to remove it, drag it to move it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Eckpunkt anklicken, dann seinen Partner auf der anderen Fläche, oder vom einen zum anderen ziehen. Klick auf eine Marke entfernt sie, Ziehen versetzt sie.</translation>
     </message>
     <message>
         <source>Click the vertex that corresponds on the other canvas, or drag there; Esc cancels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den entsprechenden Eckpunkt auf der anderen Fläche anklicken oder dorthin ziehen; Esc bricht ab.</translation>
     </message>
     <message>
         <source>Release on another vertex to move the pin there; Esc puts it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf einem anderen Eckpunkt loslassen, um die Marke dorthin zu setzen; Esc stellt sie zurück.</translation>
     </message>
     <message>
         <source>Release to set the vertices here; Esc puts them back. Ctrl suspends snapping.</source>
-        <translation type="unfinished"></translation>
+        <translation>Loslassen setzt die Eckpunkte hierher; Esc stellt sie zurück. Strg setzt das Einrasten aus.</translation>
     </message>
     <message>
         <source>Release to keep it so; Esc puts it back. Shift keeps the proportions, or steps of 15°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Loslassen behält es so; Esc stellt es zurück. Umschalt hält die Proportionen oder Schritte von 15°.</translation>
     </message>
     <message>
         <source>Drag vertices or edges, click the shape to select it whole, double-click an edge to insert. Shift adds; arrow keys move, with Alt they turn and scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eckpunkte oder Kanten ziehen, Klick auf die Form wählt sie ganz, Doppelklick auf eine Kante fügt ein. Umschalt ergänzt; Pfeiltasten bewegen, mit Alt drehen und skalieren sie.</translation>
     </message>
     <message>
         <source>Release to select the vertices in the box.</source>
-        <translation type="unfinished"></translation>
+        <translation>Loslassen wählt die Eckpunkte im Rahmen aus.</translation>
     </message>
     <message>
         <source>Type the text above, then click to set it. A canvas holds one outline: the largest, drawn solid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Oben den Text eingeben, dann klicken, um ihn zu setzen. Eine Fläche hat einen Umriss: den größten, gefüllt gezeichneten.</translation>
+    </message>
+    <message>
+        <source>Drop a picture on a canvas to draw over it. Drag it or its corners to fit it, then lock it.</source>
+        <translation>Ein Bild auf eine Fläche ziehen, um es nachzuzeichnen. Es oder seine Ecken ziehen, bis es passt, dann sperren.</translation>
+    </message>
+    <message>
+        <source>Release to leave the picture here; Esc puts it back.</source>
+        <translation>Loslassen lässt die Vorlage hier; Esc stellt sie zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>KeyStrip</name>
+    <message>
+        <source>Key shapes, {step} on the canvases</source>
+        <translation>Schlüsselformen, auf den Flächen {step}</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>leer</translation>
+    </message>
+    <message>
+        <source>Shape {letter}, {size}. Drag it to move it to another place.</source>
+        <translation>Form {letter}, {size}. Ziehen bringt sie an einen anderen Platz.</translation>
+    </message>
+    <message>
+        <source>{letters}, {marks}. Click to show them on the canvases.</source>
+        <translation>{letters}, {marks}. Ein Klick zeigt sie auf den Flächen.</translation>
+    </message>
+    <message>
+        <source>Add a shape</source>
+        <translation>Eine Form anfügen</translation>
     </message>
 </context>
 <context>
     <name>Legend</name>
     <message>
         <source>Area drift</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächenabweichung</translation>
     </message>
     <message>
         <source>Length drift</source>
-        <translation type="unfinished"></translation>
+        <translation>Längenabweichung</translation>
     </message>
 </context>
 <context>
     <name>MainWindow</name>
     <message>
         <source>Marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken</translation>
     </message>
     <message>
         <source>The language changes with the next start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sprache wechselt mit dem nächsten Start.</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rückgängig</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>{command} {step}</source>
+        <translation>{command}: {step}</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Anhalten</translation>
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Abspielen</translation>
     </message>
 </context>
 <context>
     <name>MarksModel</name>
     <message>
         <source>Mark</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke</translation>
     </message>
     <message>
         <source>Type the numbers of two vertices that correspond</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Nummern zweier Eckpunkte eingeben, die einander entsprechen</translation>
     </message>
 </context>
 <context>
     <name>MarksPanel</name>
     <message>
         <source>How many marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viele Marken</translation>
     </message>
     <message>
         <source>Suggest</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschlagen</translation>
     </message>
     <message>
         <source>Replace all marks by ones that suggest themselves</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Marken durch vorgeschlagene ersetzen</translation>
     </message>
     <message>
         <source>marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken</translation>
     </message>
     <message>
         <source>Type a vertex number to change it, Del removes. New marks go in the last row.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Eckpunktnummer eintippen ändert sie, Entf löscht. Neue Marken kommen in die letzte Zeile.</translation>
     </message>
 </context>
 <context>
     <name>MarksTable</name>
     <message>
         <source>Marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken</translation>
     </message>
 </context>
 <context>
     <name>Menus</name>
     <message>
         <source>Commands</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehle</translation>
     </message>
     <message>
         <source>Drawing Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichenwerkzeuge</translation>
     </message>
     <message>
         <source>E&amp;xamples</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beispiele</translation>
     </message>
     <message>
         <source>Figures of the paper</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbildungen des Aufsatzes</translation>
     </message>
     <message>
         <source>Sh&amp;ow</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zeigen</translation>
     </message>
     <message>
         <source>&amp;Methods</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Methoden</translation>
     </message>
 </context>
 <context>
     <name>Method</name>
     <message>
         <source>vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>Eckpunkte</translation>
     </message>
     <message>
         <source>edge-angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanten und Winkel</translation>
     </message>
     <message>
         <source>star-skeleton</source>
-        <translation type="unfinished"></translation>
+        <translation>Stern-Skelett</translation>
     </message>
     <message>
         <source>stitched</source>
-        <translation type="unfinished"></translation>
+        <translation>vernäht</translation>
     </message>
     <message>
         <source>rigid</source>
-        <translation type="unfinished"></translation>
+        <translation>starr</translation>
     </message>
     <message>
         <source>certified</source>
-        <translation type="unfinished"></translation>
+        <translation>zertifiziert</translation>
     </message>
 </context>
 <context>
     <name>Numbers</name>
     <message>
         <source>X</source>
-        <translation type="unfinished"></translation>
+        <translation>X</translation>
     </message>
     <message>
         <source>Middle of the selection, from left to right</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte der Auswahl, von links nach rechts</translation>
     </message>
     <message>
         <source>Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Y</translation>
     </message>
     <message>
         <source>Middle of the selection, upwards</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte der Auswahl, nach oben</translation>
     </message>
     <message>
         <source>W</source>
-        <translation type="unfinished"></translation>
+        <translation>B</translation>
     </message>
     <message>
         <source>Width of the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite der Auswahl</translation>
     </message>
     <message>
         <source>H</source>
-        <translation type="unfinished"></translation>
+        <translation>H</translation>
     </message>
     <message>
         <source>Height of the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe der Auswahl</translation>
     </message>
     <message>
         <source>Turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung</translation>
     </message>
     <message>
         <source>How far the selection was turned since it was selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit die Auswahl gedreht wurde, seit sie getroffen wurde</translation>
     </message>
 </context>
 <context>
     <name>OptionsBar</name>
     <message>
         <source>Options</source>
-        <translation type="unfinished"></translation>
+        <translation>Optionen</translation>
     </message>
     <message>
         <source>Vertices to add</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Eckpunkte</translation>
     </message>
     <message>
         <source>Vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>Eckpunkte</translation>
     </message>
     <message>
         <source>Corners</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecken</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Spitzen</translation>
     </message>
     <message>
         <source>Inner radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Innenradius</translation>
     </message>
     <message>
         <source>Snap to</source>
-        <translation type="unfinished"></translation>
+        <translation>Einrasten</translation>
     </message>
     <message>
         <source>Spacing of the grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand im Gitter</translation>
     </message>
 </context>
 <context>
     <name>PairDialog</name>
     <message>
         <source>Choose a pair</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Paar wählen</translation>
     </message>
     <message>
         <source>Filter</source>
-        <translation type="unfinished"></translation>
+        <translation>Filtern</translation>
     </message>
     <message>
         <source>Pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Paare</translation>
     </message>
     <message>
         <source>The file holds {count} pairs of shapes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei enthält {count} Paare von Formen.</translation>
     </message>
 </context>
 <context>
     <name>Panel</name>
     <message>
         <source>Verdict on {method}</source>
-        <translation type="unfinished"></translation>
+        <translation>Urteil über: {method}</translation>
     </message>
     <message>
         <source>no blend</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Übergang</translation>
     </message>
     <message>
         <source>computing…</source>
-        <translation type="unfinished"></translation>
+        <translation>wird berechnet…</translation>
     </message>
     <message>
         <source>{verdict} (out of date)</source>
-        <translation type="unfinished"></translation>
+        <translation>{verdict} (veraltet)</translation>
     </message>
     <message>
         <source>The in-between shapes appear here as soon as there are a source and a target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier erscheinen die Zwischenformen, sobald es eine Quelle und ein Ziel gibt.</translation>
     </message>
     <message>
         <source>Cancelled. F5 computes it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgebrochen. F5 berechnet es neu.</translation>
+    </message>
+</context>
+<context>
+    <name>PicturePage</name>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
     </message>
 </context>
 <context>
     <name>Refusal</name>
     <message>
         <source>The red edges would cross or touch. Nothing was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die roten Kanten würden sich kreuzen oder berühren. Nichts wurde geändert.</translation>
     </message>
     <message>
         <source>Two vertices would be at the same place. Nothing was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Eckpunkte lägen auf derselben Stelle. Nichts wurde geändert.</translation>
     </message>
     <message>
         <source>A fault in the program, not in your shapes: {kind}: {error}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Fehler im Programm, nicht in Ihren Formen: {kind}: {error}</translation>
     </message>
     <message>
         <source>This vertex already has {first}. Remove that pin first, or take another vertex.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Eckpunkt hat schon {first}. Entfernen Sie sie zuerst, oder nehmen Sie einen anderen Eckpunkt.</translation>
     </message>
     <message>
         <source>{second} would cross {first}: going round, they come in different orders on the two shapes.</source>
-        <translation type="unfinished"></translation>
+        <translation>{second} würde {first} kreuzen: umlaufend folgen sie auf den beiden Formen in verschiedener Reihenfolge.</translation>
     </message>
     <message>
         <source>{{second}} would cross {{first}}: going round from {third}, one of them comes first on the source, the other on the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>{{second}} würde {{first}} kreuzen: umlaufend ab {third} kommt die eine auf der Quelle zuerst, die andere auf dem Ziel.</translation>
     </message>
     <message>
         <source>mark {label}</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke {label}</translation>
     </message>
     <message>
         <source>the new mark {label}</source>
-        <translation type="unfinished"></translation>
+        <translation>die neue Marke {label}</translation>
+    </message>
+</context>
+<context>
+    <name>SequenceBar</name>
+    <message>
+        <source>Duration of the step</source>
+        <translation>Dauer des Schritts</translation>
+    </message>
+    <message>
+        <source>How long the step on the canvases takes, at speed 1</source>
+        <translation>Wie lange der Schritt auf den Flächen dauert, bei Tempo 1</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
     </message>
 </context>
 <context>
     <name>Side</name>
     <message>
+        <source>{letter} (source)</source>
+        <translation>{letter} (Quelle)</translation>
+    </message>
+    <message>
+        <source>{letter} (target)</source>
+        <translation>{letter} (Ziel)</translation>
+    </message>
+    <message>
         <source>Source</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle</translation>
     </message>
     <message>
         <source>Target</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel</translation>
     </message>
 </context>
 <context>
     <name>Status</name>
     <message>
         <source>What is being computed</source>
-        <translation type="unfinished"></translation>
+        <translation>Was berechnet wird</translation>
     </message>
     <message>
         <source>Progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Computing {method}…</source>
-        <translation type="unfinished"></translation>
+        <translation>Berechne: {method}…</translation>
     </message>
     <message>
         <source>Computing…</source>
-        <translation type="unfinished"></translation>
+        <translation>Berechne…</translation>
     </message>
     <message>
         <source>Cancelled; F5 computes again</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgebrochen; F5 berechnet neu</translation>
     </message>
 </context>
 <context>
     <name>Steering</name>
     <message>
         <source>Whole turns</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganze Drehungen</translation>
     </message>
     <message>
         <source>Whole turns of the star-skeleton on its way, counter-clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganze Drehungen des Stern-Skeletts auf seinem Weg, gegen den Uhrzeigersinn</translation>
     </message>
     <message>
         <source>turns</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehungen</translation>
     </message>
     <message>
         <source>Usual root</source>
-        <translation type="unfinished"></translation>
+        <translation>Übliche Wurzel</translation>
     </message>
     <message>
         <source>Let the method choose the root again</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Methode die Wurzel wieder selbst wählen lassen</translation>
     </message>
 </context>
 <context>
     <name>Step</name>
     <message>
         <source>Choose methods</source>
-        <translation type="unfinished"></translation>
+        <translation>Methoden wählen</translation>
     </message>
     <message>
         <source>Draw freehand</source>
-        <translation type="unfinished"></translation>
+        <translation>Freihand zeichnen</translation>
     </message>
     <message>
         <source>Draw shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Form zeichnen</translation>
     </message>
     <message>
         <source>Draw rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechteck zeichnen</translation>
     </message>
     <message>
         <source>Draw ellipse</source>
-        <translation type="unfinished"></translation>
+        <translation>Ellipse zeichnen</translation>
     </message>
     <message>
         <source>Draw regular polygon</source>
-        <translation type="unfinished"></translation>
+        <translation>Vieleck zeichnen</translation>
     </message>
     <message>
         <source>Draw star</source>
-        <translation type="unfinished"></translation>
+        <translation>Stern zeichnen</translation>
     </message>
     <message>
         <source>Set mark</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke setzen</translation>
     </message>
     <message>
         <source>Remove mark</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke entfernen</translation>
     </message>
     <message>
         <source>Move mark</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke versetzen</translation>
     </message>
     <message>
         <source>Suggest marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken vorschlagen</translation>
     </message>
     <message>
         <source>Move vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>Eckpunkte verschieben</translation>
     </message>
     <message>
         <source>Turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehen</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Skalieren</translation>
     </message>
     <message>
         <source>Paste shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Form einfügen</translation>
     </message>
     <message>
         <source>Cut shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Form ausschneiden</translation>
     </message>
     <message>
         <source>Insert vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>Eckpunkt einfügen</translation>
     </message>
     <message>
         <source>Nudge vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>Eckpunkte rücken</translation>
     </message>
     <message>
         <source>Delete vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>Eckpunkte löschen</translation>
     </message>
     <message>
         <source>Set text</source>
-        <translation type="unfinished"></translation>
+        <translation>Text setzen</translation>
     </message>
     <message>
         <source>Simplify</source>
-        <translation type="unfinished"></translation>
+        <translation>Vereinfachen</translation>
     </message>
     <message>
         <source>Refine</source>
-        <translation type="unfinished"></translation>
+        <translation>Verfeinern</translation>
     </message>
     <message>
         <source>Set first vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>Ersten Eckpunkt festlegen</translation>
     </message>
     <message>
         <source>Copy to other canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf die andere Fläche kopieren</translation>
     </message>
     <message>
         <source>Reverse</source>
-        <translation type="unfinished"></translation>
+        <translation>Umkehren</translation>
     </message>
     <message>
         <source>Mirror</source>
-        <translation type="unfinished"></translation>
+        <translation>Spiegeln</translation>
+    </message>
+    <message>
+        <source>Move picture</source>
+        <translation>Vorlage verschieben</translation>
+    </message>
+    <message>
+        <source>Place picture</source>
+        <translation>Vorlage hinterlegen</translation>
+    </message>
+    <message>
+        <source>Remove picture</source>
+        <translation>Vorlage entfernen</translation>
+    </message>
+    <message>
+        <source>Picture opacity</source>
+        <translation>Deckkraft der Vorlage</translation>
+    </message>
+    <message>
+        <source>Lock picture</source>
+        <translation>Vorlage sperren</translation>
+    </message>
+    <message>
+        <source>Add key shape</source>
+        <translation>Schlüsselform anfügen</translation>
+    </message>
+    <message>
+        <source>Move key shape</source>
+        <translation>Schlüsselform verschieben</translation>
+    </message>
+    <message>
+        <source>Set duration</source>
+        <translation>Dauer festlegen</translation>
+    </message>
+    <message>
+        <source>Duplicate key shape</source>
+        <translation>Schlüsselform duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete key shape</source>
+        <translation>Schlüsselform löschen</translation>
+    </message>
+</context>
+<context>
+    <name>Strip</name>
+    <message>
+        <source>{seconds} s</source>
+        <translation>{seconds} s</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>leer</translation>
     </message>
 </context>
 <context>
     <name>StripChart</name>
     <message>
         <source>Area, lengths and crossings over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche, Längen und Kreuzungen über die Zeit</translation>
     </message>
     <message>
         <source>Drift of area and lengths, and where frames cross themselves. Click to go there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abweichung von Fläche und Längen, und wo Zwischenbilder sich kreuzen. Ein Klick führt dorthin.</translation>
     </message>
     <message>
-        <source>{method}: lies over itself, naturally, from t = {start:.2f} to {stop:.2f}</source>
-        <translation type="unfinished"></translation>
+        <source>{method}: lies over itself, naturally, from t = {start} to {stop}</source>
+        <translation>{method}: liegt von t = {start} bis {stop} natürlich über sich selbst</translation>
     </message>
     <message>
-        <source>{method}: crosses itself from t = {start:.2f} to {stop:.2f}</source>
-        <translation type="unfinished"></translation>
+        <source>{method}: crosses itself from t = {start} to {stop}</source>
+        <translation>{method}: kreuzt sich von t = {start} bis {stop}</translation>
     </message>
 </context>
 <context>
     <name>TextPage</name>
     <message>
         <source>Text</source>
-        <translation type="unfinished"></translation>
+        <translation>Text</translation>
     </message>
     <message>
         <source>Font</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrift</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
 </context>
 <context>
     <name>TimeSlider</name>
     <message>
         <source>Time, from source to target</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit, von der Quelle zum Ziel</translation>
     </message>
 </context>
 <context>
     <name>Timeline</name>
     <message>
         <source>At the end</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Ende</translation>
     </message>
     <message>
         <source>What happens when the end is reached</source>
-        <translation type="unfinished"></translation>
+        <translation>Was am Ende geschieht</translation>
     </message>
     <message>
         <source>Back and forth</source>
-        <translation type="unfinished"></translation>
+        <translation>Hin und her</translation>
     </message>
     <message>
         <source>Loop</source>
-        <translation type="unfinished"></translation>
+        <translation>Schleife</translation>
     </message>
     <message>
         <source>Once</source>
-        <translation type="unfinished"></translation>
+        <translation>Einmal</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo</translation>
     </message>
     <message>
         <source>Speed of playing</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo beim Abspielen</translation>
     </message>
     <message>
         <source>Time t</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit t</translation>
     </message>
     <message>
         <source>The moment shown, from 0 (source) to 1 (target)</source>
-        <translation type="unfinished"></translation>
+        <translation>Der gezeigte Augenblick, von 0 (Quelle) bis 1 (Ziel)</translation>
     </message>
 </context>
 <context>
     <name>TolerancePage</name>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranz</translation>
     </message>
     <message>
         <source>{pixels} px</source>
-        <translation type="unfinished"></translation>
+        <translation>{pixels} px</translation>
     </message>
 </context>
 <context>
     <name>Verdict</name>
     <message>
         <source>simple, area {area}</source>
-        <translation type="unfinished"></translation>
+        <translation>kreuzungsfrei, Fläche {area}</translation>
+    </message>
+    <message>
+        <source>simple</source>
+        <translation>kreuzungsfrei</translation>
     </message>
     <message>
         <source>natural crossing, area {area}</source>
-        <translation type="unfinished"></translation>
+        <translation>natürliche Kreuzung, Fläche {area}</translation>
+    </message>
+    <message>
+        <source>natural crossing</source>
+        <translation>natürliche Kreuzung</translation>
+    </message>
+    <message>
+        <source>natural</source>
+        <translation>natürlich</translation>
     </message>
     <message>
         <source>crosses at t = {t}, area {area}</source>
-        <translation type="unfinished"></translation>
+        <translation>kreuzt sich bei t = {t}, Fläche {area}</translation>
+    </message>
+    <message>
+        <source>crosses at t = {t}</source>
+        <translation>kreuzt sich bei t = {t}</translation>
+    </message>
+    <message>
+        <source>crosses</source>
+        <translation>kreuzt sich</translation>
     </message>
     <message>
         <source>Area drifts by up to {p}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Fläche weicht um bis zu {p} ab.</translation>
     </message>
     <message>
         <source>Edge lengths drift by {p} on average.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kantenlängen weichen im Mittel um {p} ab.</translation>
     </message>
     <message>
         <source>Turning angles drift by {a} degrees on average.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Winkel an den Eckpunkten weichen im Mittel um {a} Grad ab.</translation>
     </message>
     <message>
         <source>Some edge has a negative length at t = {times}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei t = {times} hat eine Kante negative Länge.</translation>
     </message>
     <message>
         <source>Never crosses itself: proven for every t.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreuzt sich nie: bewiesen für jedes t.</translation>
     </message>
     <message>
         <source>No frame crosses itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Zwischenbild kreuzt sich.</translation>
     </message>
     <message>
         <source>Crosses itself at t = {times}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreuzt sich bei t = {times}.</translation>
     </message>
     <message>
         <source>That is natural: the shape lies over itself in layers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist natürlich: die Form liegt in Schichten über sich selbst.</translation>
     </message>
     <message>
         <source>Natural in {n} of {all} frames: the shape lies over itself in layers.</source>
-        <translation type="unfinished"></translation>
+        <translation>In {n} von {all} Zwischenbildern natürlich: die Form liegt in Schichten über sich selbst.</translation>
     </message>
 </context>
 </TS>

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from starskel.decomposition.kernel import star_point, star_vertices
-from starskel.decomposition.pieces import Decomposition
+from starskel.decomposition.pieces import Decomposition, edges_of
 from starskel.points import Points, points_of
 from starskel.predicates import Floats
 from starskel.task import Task
@@ -59,8 +59,7 @@ def fans_of(decomposition: Decomposition, task: Task) -> Fans:
             for side, place in zip(points, hub, strict=True):
                 side.append(place[None])
         hubs.append((own,))
-        edges = zip(piece, (*piece[1:], piece[0]), strict=True)
-        triangles += [(own, a, b) for a, b in edges if own not in (a, b)]
+        triangles += [(own, a, b) for a, b in edges_of(piece) if own not in (a, b)]
     source, target = (np.concatenate(side) for side in points)
     return Fans(source, target, np.array(triangles, dtype=np.intp), tuple(hubs))
 
@@ -68,7 +67,8 @@ def fans_of(decomposition: Decomposition, task: Task) -> Fans:
 def _exact_points(decomposition: Decomposition) -> tuple[Points, Points]:
     pair = decomposition.pair
     steiner = decomposition.source[len(pair) :], decomposition.target[len(pair) :]
-    return points_of(pair.source).with_free(steiner[0]), points_of(pair.target).with_free(steiner[1])
+    source, target = points_of(pair.source, pair.starts), points_of(pair.target, pair.starts)
+    return source.with_free(steiner[0]), target.with_free(steiner[1])
 
 
 def _hub(first: Points, second: Points, piece: NDArray[np.intp]) -> int | tuple[Floats, Floats]:

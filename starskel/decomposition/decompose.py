@@ -6,8 +6,8 @@ from starskel.correspondence import Correspondence
 from starskel.decomposition.kernel import star_point, star_vertices
 from starskel.decomposition.ladder import climb
 from starskel.decomposition.links import links_of
-from starskel.decomposition.minimal import Piece, minimal_pieces
-from starskel.decomposition.pieces import Decomposition
+from starskel.decomposition.minimal import minimal_pieces
+from starskel.decomposition.pieces import Decomposition, Piece
 from starskel.decomposition.reduce import reduce
 from starskel.decomposition.rivals import by_rivals
 from starskel.decomposition.shape import shaped

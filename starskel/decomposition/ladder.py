@@ -10,10 +10,11 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from starskel.decomposition.fan import Fan, fans
 from starskel.decomposition.links import links_of
-from starskel.decomposition.minimal import Piece, least_stuck_cells
+from starskel.decomposition.minimal import least_stuck_cells
 from starskel.decomposition.overlay import crossings, overlay
+from starskel.decomposition.pieces import Piece
+from starskel.decomposition.steiner import Fan, fans
 from starskel.decomposition.tiling import Tiling
 from starskel.task import Task
 from starskel.triangulation import Grounds, triangulate

@@ -1,12 +1,38 @@
 """What two polygons have in common: pairs that see each other in both, diagonals of both."""
 
+from dataclasses import dataclass
+
 import numpy as np
 
-from starskel.decomposition.minimal import Links
-from starskel.predicates import Floats
+from starskel.predicates import Floats, Indices, Relation
 from starskel.task import Task
 from starskel.triangulation import Triangulation
 from starskel.visibility import visibility
+
+
+@dataclass(frozen=True, eq=False)
+class Links:
+    """What both polygons allow.
+
+    Attributes
+    ----------
+    sees : (n, n) array of bool
+        Pairs of vertices that see each other in both polygons.
+    diagonal : (n, n) array of bool
+        Diagonals of both polygons.
+    source, target : (n, 2) arrays
+        The polygons, scaled so that n diagonals of both together are shorter than 1/2.
+    """
+
+    sees: Relation
+    diagonal: Relation
+    source: Floats
+    target: Floats
+
+    def price(self, i: Indices, j: Indices) -> Floats:
+        """Give what diagonals cost: their lengths in both polygons."""
+        lengths = [np.hypot(*(side[i] - side[j]).T) for side in (self.source, self.target)]
+        return np.asarray(lengths[0] + lengths[1])
 
 
 def links_of(source: Triangulation, target: Triangulation, task: Task) -> Links:

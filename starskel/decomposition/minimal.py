@@ -29,35 +29,10 @@ from itertools import pairwise
 
 import numpy as np
 
-from starskel.predicates import Floats, Indices, Relation
+from starskel.decomposition.links import Links
+from starskel.decomposition.pieces import Piece
+from starskel.predicates import Floats
 from starskel.task import Task
-
-Piece = tuple[int, ...]
-
-
-@dataclass(frozen=True, eq=False)
-class Links:
-    """What both polygons allow.
-
-    Attributes
-    ----------
-    sees : (n, n) array of bool
-        Pairs of vertices that see each other in both polygons.
-    diagonal : (n, n) array of bool
-        Diagonals of both polygons.
-    source, target : (n, 2) arrays
-        The polygons, scaled so that n diagonals of both together are shorter than 1/2.
-    """
-
-    sees: Relation
-    diagonal: Relation
-    source: Floats
-    target: Floats
-
-    def price(self, i: Indices, j: Indices) -> Floats:
-        """Give what diagonals cost: their lengths in both polygons."""
-        lengths = [np.hypot(*(side[i] - side[j]).T) for side in (self.source, self.target)]
-        return np.asarray(lengths[0] + lengths[1])
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,7 +12,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from starskel.decomposition.minimal import Piece
+from starskel.decomposition.pieces import Piece
 from starskel.decomposition.tiling import Tiling
 from starskel.predicates import Floats, Indices
 from starskel.triangulation import Triangulation

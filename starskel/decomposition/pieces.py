@@ -1,9 +1,13 @@
 """What a decomposition is."""
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 from starskel.correspondence import Correspondence
 from starskel.predicates import Floats
+
+Piece = tuple[int, ...]
+"""The rows of a piece's vertices, counter-clockwise."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,6 +29,11 @@ class Decomposition:
     pair: Correspondence
     source: Floats
     target: Floats
-    pieces: tuple[tuple[int, ...], ...]
+    pieces: tuple[Piece, ...]
     source_origins: Floats
     target_origins: Floats
+
+
+def edges_of(piece: Piece) -> list[tuple[int, int]]:
+    """Give the edges of a piece, from each vertex to the next."""
+    return list(pairwise((*piece, piece[0])))

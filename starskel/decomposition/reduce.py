@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from starskel.decomposition.minimal import Piece
+from starskel.decomposition.pieces import Piece, edges_of
 from starskel.decomposition.tiling import Tiling
 from starskel.task import Task
 
@@ -126,7 +126,7 @@ def _renamed(piece: Piece, vertex: int, name: int) -> Piece | None:
 
 
 def _neighbouring(tiling: Tiling, pieces: Iterable[Piece]) -> list[tuple[Piece, Piece]]:
-    owner = {edge: piece for piece in pieces for edge in _edges(piece)}
+    owner = {edge: piece for piece in pieces for edge in edges_of(piece)}
     shared = sorted((a, b) for a, b in owner if a < b and (b, a) in owner)
     ends = np.array(shared, dtype=np.intp).reshape(-1, 2)
     length = np.zeros(len(ends))
@@ -138,7 +138,7 @@ def _neighbouring(tiling: Tiling, pieces: Iterable[Piece]) -> list[tuple[Piece, 
 
 def union(first: Piece, second: Piece) -> Piece | None:
     """Give the ring round two neighbours, None where they enclose something or touch twice."""
-    edges = _edges(first) + _edges(second)
+    edges = edges_of(first) + edges_of(second)
     inner = set(edges) & {(b, a) for a, b in edges}
     outer = [edge for edge in edges if edge not in inner]
     onward = dict(outer)
@@ -154,7 +154,3 @@ def _from_least(piece: Piece) -> Piece:
     """Give the ring from its least vertex on, so that one ring has one name."""
     start = piece.index(min(piece))
     return piece[start:] + piece[:start]
-
-
-def _edges(piece: Piece) -> list[tuple[int, int]]:
-    return list(pairwise((*piece, piece[0])))

@@ -5,12 +5,10 @@ rounds every Steiner vertex tries places round its own, in the source or in the 
 that is best for the worst of its pieces there. A move is made only if exact predicates prove all its pieces.
 """
 
-from itertools import pairwise
-
 import numpy as np
 
 from starskel.decomposition.kernel import star_points
-from starskel.decomposition.minimal import Piece
+from starskel.decomposition.pieces import Piece, edges_of
 from starskel.decomposition.tiling import Tiling
 from starskel.outline import edge_lengths
 from starskel.points import Points
@@ -43,10 +41,14 @@ def shaped(tiling: Tiling, n: int, task: Task) -> Tiling:
 
 
 def _moved(tiling: Tiling, n: int, side: int, stride: float, task: Task) -> Tiling:
-    """Move Steiner vertices on one side, no two of the same piece."""
+    """Move Steiner vertices on one side, no two of the same piece.
+
+    A piece that is seen whole only from a common vertex is left alone: another kernel may not contain it.
+    """
     points = (tiling.source, tiling.target)[side]
     moves: dict[int, Floats] = {}
-    touched: set[Piece] = set()
+    stars = tiling.are_stars(tiling.pieces)
+    touched = {piece for piece, star in zip(tiling.pieces, stars, strict=True) if not star}
     for vertex, pieces in sorted(_around(tiling, n).items()):
         task.reach(0)
         place = _better(points, vertex, pieces, stride) if touched.isdisjoint(pieces) else None
@@ -80,7 +82,7 @@ def _better(points: Points, vertex: int, pieces: list[Piece], stride: float) -> 
 
 def _places(points: Points, vertex: int, pieces: list[Piece], stride: float) -> Floats:
     """Give the places round a vertex, the first towards its first neighbour: so they turn with the shape."""
-    edges = [edge for piece in pieces for edge in pairwise((*piece, piece[0])) if vertex in edge]
+    edges = [edge for piece in pieces for edge in edges_of(piece) if vertex in edge]
     neighbours = sorted({v for edge in edges for v in edge} - {vertex})
     ways = (points.coordinates[neighbours] - points.coordinates[vertex]).view(np.complex128)[:, 0]
     step = stride * np.abs(ways).mean() * np.sign(ways[0])

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.decomposition.kernel import star_points, star_vertices
-from starskel.decomposition.minimal import Piece
+from starskel.decomposition.pieces import Piece
 from starskel.points import Points
 from starskel.predicates import Floats, Relation
 

@@ -17,8 +17,8 @@ import numpy as np
 
 from starskel.decomposition.convex import Cut, convex_cuts
 from starskel.decomposition.ladder import by_fan, climb
-from starskel.decomposition.minimal import Piece
 from starskel.decomposition.paths import bends_between
+from starskel.decomposition.pieces import Piece
 from starskel.decomposition.tiling import Tiling
 from starskel.predicates import Floats, Relation
 from starskel.task import Task

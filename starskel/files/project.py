@@ -13,6 +13,7 @@ from starskel.correspondence.marks import Mark
 from starskel.errors import InvalidFile, told
 from starskel.files.documents import check_format, read_document, write_document
 from starskel.files.pairs import ShapePair
+from starskel.files.picture import Picture
 from starskel.files.shapes import Row, marked_shapes, polygon_of, rows_of
 from starskel.polygon import Polygon
 
@@ -56,6 +57,7 @@ class _Document(msgspec.Struct, frozen=True):
     steps: list[_Step]
     methods: list[str]
     description: str = ""
+    pictures: list[Picture | None] = []  # for each shape; files without any may leave it out
 
 
 @dataclass(frozen=True)
@@ -90,6 +92,8 @@ class Project:
         The blending methods shown, in order.
     description : str
         A sentence about it; empty where nobody wrote one.
+    pictures : tuple of Picture or None
+        For each shape what is behind it; empty where there is none at all.
     """
 
     name: str
@@ -97,6 +101,7 @@ class Project:
     steps: tuple[Step, ...] = (Step(),)
     methods: tuple[str, ...] = ()
     description: str = ""
+    pictures: tuple[Picture | None, ...] = ()
 
     @classmethod
     def of(cls, pair: ShapePair) -> "Project":
@@ -163,7 +168,8 @@ def read_project(path: Path) -> Project:
     )
     # the polygons as if they had been given counter-clockwise, as their marks are
     own = tuple(None if shape is None else Polygon(shape.vertices) for shape in shapes)
-    return Project(document.name, own, steps, _methods(path, document.methods), document.description)
+    methods, pictures = _methods(path, document.methods), tuple(document.pictures)
+    return Project(document.name, own, steps, methods, document.description, pictures)
 
 
 def write_project(path: Path, project: Project) -> None:
@@ -177,7 +183,9 @@ def write_project(path: Path, project: Project) -> None:
     shapes = [None if shape is None else rows_of(shape) for shape in project.shapes]
     steps = [_Step(step.duration, list(step.marks)) for step in project.steps]
     methods, description = list(project.methods), project.description
-    write_document(path, _Document(FORMAT, VERSION, project.name, shapes, steps, methods, description))
+    pictures = list(project.pictures) if any(project.pictures) else []
+    document = _Document(FORMAT, VERSION, project.name, shapes, steps, methods, description, pictures)
+    write_document(path, document)
 
 
 def _read(path: Path) -> _Document:
@@ -206,6 +214,16 @@ def _check_counts(path: Path, document: _Document) -> None:
         raise InvalidFile(
             told("{path} has {shapes} shapes and {steps} steps", path=path, shapes=shapes, steps=steps),
             told("give two shapes at least, and a step from each to the next"),
+        )
+    if document.pictures and len(document.pictures) != shapes:
+        raise InvalidFile(
+            told(
+                "{path} has {pictures} pictures for {shapes} shapes",
+                path=path,
+                pictures=len(document.pictures),
+                shapes=shapes,
+            ),
+            told("give one for each shape, null where there is none"),
         )
 
 

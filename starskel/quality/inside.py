@@ -7,7 +7,7 @@ import numpy as np
 
 from starskel.blending.distortion import Shapes
 from starskel.blending.mesh import triangle_areas
-from starskel.decomposition.pieces import Decomposition
+from starskel.decomposition.pieces import Decomposition, Piece, edges_of
 from starskel.polar import as_complex
 from starskel.predicates import Complex, Floats, Indices
 
@@ -78,14 +78,10 @@ class Triangles:
         return Distortion(*factors(stretches), *factors(spreads), float((folded @ self._weights).max()))
 
 
-def _fans(pieces: Sequence[tuple[int, ...]], rows: int) -> Indices:
+def _fans(pieces: Sequence[Piece], rows: int) -> Indices:
     """Give the triangles round the origins, which are numbered behind the rows."""
     return np.array(
-        [
-            (rows + number, a, b)
-            for number, piece in enumerate(pieces)
-            for a, b in zip(piece, (*piece[1:], piece[0]), strict=True)
-        ],
+        [(rows + number, a, b) for number, piece in enumerate(pieces) for a, b in edges_of(piece)],
         dtype=np.intp,
     )
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from starskel.decomposition.pieces import Decomposition
+from starskel.decomposition.pieces import Decomposition, edges_of
 from starskel.errors import StarskelError
 from starskel.outline import signed_areas
 from starskel.predicates import Floats
@@ -100,7 +100,7 @@ def skeleton_of(decomposition: Decomposition, root: int | None = None) -> Skelet
 
 def _neighbours(decomposition: Decomposition) -> list[dict[int, Edge]]:
     """Give for each piece its neighbours, counter-clockwise, and the longest edge shared with each."""
-    edges = [list(zip(piece, (*piece[1:], piece[0]), strict=True)) for piece in decomposition.pieces]
+    edges = [edges_of(piece) for piece in decomposition.pieces]
     owner = {edge: piece for piece, own in enumerate(edges) for edge in own}
     lengths = _lengths(decomposition, list(owner))
     found: list[dict[int, Edge]] = []

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import pytest
 
 from app.model.easing import Easing
@@ -69,13 +71,56 @@ def test_easing_bends_t_and_keeps_the_moment_when_it_changes() -> None:
 @pytest.mark.parametrize("easing", [Easing(), Easing((0.9, 0.1), (0.3, 0.8))])
 def test_steps_go_to_the_frames_that_are_measured(easing: Easing) -> None:
     playback = Playback(easing=easing).seek(0.423, 0)
-    assert playback.step(1, 0).t(0) == pytest.approx(0.43)
-    assert playback.step(-1, 0).t(0) == pytest.approx(0.42)
-    assert playback.step(1, 0).step(1, 0).t(0) == pytest.approx(0.44)
-    assert playback.step(-1, 0).step(1, 0).t(0) == pytest.approx(0.43)
-    assert playback.step(200, 0).t(0) == 1
-    assert playback.step(-200, 0).t(0) == 0
+    assert playback.advance(1, 0).t(0) == pytest.approx(0.43)
+    assert playback.advance(-1, 0).t(0) == pytest.approx(0.42)
+    assert playback.advance(1, 0).advance(1, 0).t(0) == pytest.approx(0.44)
+    assert playback.advance(-1, 0).advance(1, 0).t(0) == pytest.approx(0.43)
+    assert playback.advance(200, 0).t(0) == 1
+    assert playback.advance(-200, 0).t(0) == 0
 
 
 def test_a_step_stops_what_is_playing() -> None:
-    assert not Playback().play(0).step(1, 0.5).playing
+    assert not Playback().play(0).advance(1, 0.5).playing
+
+
+THREE = Playback(duration=1, lengths=(1.0, 2.0, 1.0))
+
+
+def test_playing_runs_through_all_steps_each_as_long_as_it_is() -> None:
+    playback = THREE.play(0)
+    assert [playback.at(now) for now in (0.5, 2.0, 3.5)] == [(0, 0.5), (1, 0.5), (2, 0.5)]
+    assert playback.at(4) == (2, 1)
+    assert playback.at(4.5) == (2, 0.5)  # back and forth
+    assert playback.at(7.5) == (0, 0.5)
+
+
+def test_where_two_steps_meet_the_one_shown_is_kept() -> None:
+    assert THREE.seek(1.0, 0).at(0) == (0, 1)
+    assert THREE.into(1, 0.0, 0).at(0) == (1, 0)
+    assert THREE.into(1, 1.0, 0).at(0) == (1, 1)
+    assert THREE.into(2, 0.3, 0).seek(0.7, 0).at(0) == (2, pytest.approx(0.7))
+
+
+@pytest.mark.parametrize("repeat", Repeat)
+@pytest.mark.parametrize("step", range(3))
+def test_every_moment_of_every_step_can_be_reached(repeat: Repeat, step: int) -> None:
+    playback = replace(THREE, repeat=repeat, easing=Easing((0.9, 0.1), (0.3, 0.8)))
+    for t in (0.0, 0.3, 1.0):
+        assert playback.into(step, t, 0).at(0) == (step, pytest.approx(t))
+
+
+def test_other_lengths_change_neither_t_nor_whether_it_plays() -> None:
+    playback = THREE.play(0).into(1, 0.25, 0)
+    longer = playback.over((1.0, 8.0), 1, 0)
+    assert longer.at(0) == (1, pytest.approx(0.25))
+    assert longer.at(2) == (1, pytest.approx(0.5))
+
+
+def test_going_frame_by_frame_leads_through_all_steps() -> None:
+    end = THREE.into(0, 1.0, 0)
+    assert end.advance(1, 0).at(0) == (1, pytest.approx(0.01))
+    assert THREE.into(0, 0.99, 0).advance(1, 0).at(0) == (0, 1)
+    assert THREE.into(1, 0.0, 0).advance(-1, 0).at(0) == (0, pytest.approx(0.99))
+    assert THREE.into(1, 0.01, 0).advance(-1, 0).at(0) == (1, 0)
+    assert THREE.into(2, 1.0, 0).advance(1, 0).at(0) == (2, 1)
+    assert THREE.advance(-1, 0).at(0) == (0, 0)

@@ -14,7 +14,7 @@ from app.session import Session
 from app.tools.tool import Pointer
 from app.view.main_window import MainWindow
 from app.view.theme import LIGHT, apply_theme
-from starskel.files.project import Project
+from starskel.files.project import Project, Step
 from starskel.polygon import Polygon
 from tests.benchmarks.timing import table
 from tests.families import blob
@@ -57,7 +57,7 @@ class Editor:
         self.window.show()
         source, target = (Polygon(blob(vertices, seed)) for seed in (1, 2))
         marks = starskel.suggest_marks(source, target, 6)
-        self.window.session.show_project(Project("", source, target, tuple(marks), METHODS))
+        self.window.session.show_project(Project("", (source, target), (Step(tuple(marks)),), METHODS))
         self.settle()
 
     def settle(self) -> None:

@@ -170,9 +170,53 @@ def test_equal_calls_write_equal_files():
     assert Path("a.svg").read_bytes() == Path("b.svg").read_bytes()
 
 
+def write_film(*missing):
+    """Write a project of three steps, without these shapes."""
+    shapes = [[[0, 0], [9, 0], [9, 9 - k], [0, 9]] for k in range(4)]
+    steps = [{"duration": 1.0, "marks": [[0, 0]] if not {k, k + 1} & {*missing} else []} for k in range(3)]
+    kept = [None if k in missing else rows for k, rows in enumerate(shapes)]
+    document = {"format": "starskel-project", "version": 2, "name": "film", "shapes": kept, "steps": steps}
+    Path("film.json").write_text(json.dumps({**document, "methods": []}))
+
+
+def test_the_first_step_of_a_project_is_blended_where_none_is_named(capsys):
+    write_film()
+    main(["blend", "film.json", "--method", "vertex", "--at", "1", "-o", "out.json"])
+    first = json.loads(Path("out.json").read_text())
+    main(["blend", "film.json", "--step", "3", "--method", "vertex", "--at", "0", "-o", "out.json"])
+    third = json.loads(Path("out.json").read_text())
+    assert first["frames"][0][2] == [9, 8]
+    assert third["frames"][0][2] == [9, 7]
+    main(["compare", "film.json", "--step", "2", "--method", "vertex", "--frames", "2", "-o", "out.svg"])
+    assert "film B-C" in texts("out.svg")
+
+
+def test_all_steps_of_a_project_are_measured_or_one(capsys):
+    write_film()
+    assert main(["measure", "film.json", "--method", "vertex"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line[:8] for line in lines[1:4]] == ["film A-B", "film B-C", "film C-D"]
+    assert main(["measure", "film.json", "--step", "2", "--method", "vertex"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line[:8] for line in lines[1:2]] == ["film B-C"]
+
+
+def test_steps_without_their_shapes_are_named_and_the_others_measured(capsys):
+    write_film(3)
+    assert main(["measure", "film.json", "--method", "vertex"]) == 2
+    out, err = capsys.readouterr()
+    assert "film B-C" in out
+    assert "film.json: film has no shape D yet" in err
+    write_film(1, 2)
+    assert "film has no shape B yet" in refused(capsys, "measure", "film.json")
+
+
 @pytest.mark.parametrize(
     ("words", "message"),
     [
+        (["blend", LETTERS, "--step", "1", "-o", "a.svg"], "is no project and has no steps; choose a pair"),
+        (["blend", ARM, "--step", "2", "-o", "a.svg"], "arm.json has no step 2; give a step from 1 to 1"),
+        (["measure", ARM, "--step", "0"], "'0' is no number of a step"),
         (["blend", LETTERS, "-o", "a.svg"], "holds 4 pairs; choose one: --id letter-C-S | letter-E-F"),
         (
             ["blend", LETTERS, "--id", "letter-TY", "-o", "a.svg"],

@@ -118,32 +118,17 @@ def test_every_move_keeps_the_shapes_and_shows_the_one_moved(four: Document, sha
 
 def test_times_follow_from_the_durations(four: Document) -> None:
     assert FOUR.times == (0, 0.25, 0.75, 1)
-    assert four.set_duration(1, 2.0).sequence.times == (0, 0.5, 0.75, 1)
-    assert four.set_duration(3, 2.0).sequence.durations == (1, 2, 2)
-
-
-@pytest.mark.parametrize(("shape", "duration"), [(0, 1.0), (1, 3.0), (1, 0.0), (3, SHORTEST / 2)])
-def test_no_shape_gets_past_its_neighbour(four: Document, shape: int, duration: float) -> None:
+    longer = four.set_duration(0, 5.0)
+    assert longer.sequence.times == (0, 5 / 8, 7 / 8, 1)
+    assert longer.step == four.step
     with pytest.raises(StarskelError):
-        four.set_duration(shape, duration)
+        four.set_duration(0, SHORTEST / 2)
 
 
-def test_each_time_of_the_whole_lies_in_one_step() -> None:
-    assert FOUR.moment(0) == (0, 0)
-    assert FOUR.moment(0.25) == (1, 0)
-    assert FOUR.moment(0.5) == (1, 0.5)
-    assert FOUR.moment(1) == (2, 1)
-    for step in range(3):
-        for t in (0.0, 0.3, 0.999):
-            assert FOUR.moment(FOUR.time_of(step, t)) == (step, pytest.approx(t))
-    assert FOUR.time_of(2, 1.0) == 1
-
-
-def test_two_shapes_are_a_sequence_whose_time_is_their_own() -> None:
+def test_two_shapes_are_a_sequence_of_one_step() -> None:
     two = Document(source=A, target=B, marks=AB)
     assert two.sequence == Sequence((A, B), (AB,))
-    for t in (0, 0.3, 1):
-        assert two.sequence.moment(t) == (0, t)
+    assert two.sequence.times == (0, 1)
 
 
 def test_looking_at_another_step_is_no_edit(four: Document) -> None:

@@ -17,7 +17,7 @@ from app.view.theme import DARK, LIGHT, Theme, apply_theme
 
 SUBMENUS = {"methods", "layers"}
 
-ASKING = {"quit", "open", "save", "save-as", "export"}
+ASKING = {"quit", "open", "save", "save-as", "export", "picture-open"}
 
 
 def menu_actions(menu: QMenu) -> list[QAction]:

@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.view.verdicts import crosses_at, crossing_spans, details, summary
+from app.view.verdicts import crosses_at, crossing_spans, details, summaries
 from starskel import Polygon, Report, blend, measure
 from starskel.quality import Crossing
 
@@ -16,15 +16,15 @@ def crossing(*moments: tuple[float, int | None, bool]) -> Report:
 
 
 def test_what_is_proven_is_called_so() -> None:
-    assert summary(STILL) == "simple, area 0.0 %"
+    assert summaries(STILL)[0] == "simple, area 0.0 %"
     assert "proven for every t" in details(STILL)
     assert "No frame crosses itself." in details(replace(STILL, proven=False))
 
 
 def test_natural_and_harmful_crossings_are_told_apart() -> None:
     natural, harmful = (0.5, 50, True), (0.51, 51, False)
-    assert summary(crossing(natural)) == "natural crossing, area 0.0 %"
-    assert summary(crossing(natural, harmful)) == "crosses at t = .50, area 0.0 %"
+    assert summaries(crossing(natural))[0] == "natural crossing, area 0.0 %"
+    assert summaries(crossing(natural, harmful))[0] == "crosses at t = .50, area 0.0 %"
     assert "That is natural" in details(crossing(natural))
     assert "Natural in 1 of 2 frames" in details(crossing(natural, harmful))
     assert "atural" not in details(crossing(harmful))

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QLabel
 
 from app.playback import Repeat
 from app.session import USUAL_METHODS
+from app.view.fitting_label import FittingLabel
 from app.view.panels import columns_for
 from starskel.files.examples import example
 from starskel.files.project import Project
@@ -35,9 +36,20 @@ def test_drawing_two_shapes_is_enough_for_all_blends(driver: Driver) -> None:
 
 def test_each_method_gets_a_verdict(arm: Driver) -> None:
     for method in USUAL_METHODS:
-        assert "area" in verdict(arm, method)
+        assert verdict(arm, method)
     assert verdict(arm, "stitched").startswith("✓ simple")
     assert verdict(arm, "vertex").startswith("✕ crosses at t = .")
+
+
+def test_a_narrow_panel_gets_a_short_verdict(arm: Driver) -> None:
+    label = arm.window.findChild(FittingLabel, "vertex-verdict")
+    assert label is not None
+    texts = []
+    for width in (400, 140, 70):
+        label.resize(width, label.height())
+        texts.append(label.text().replace(".39", "…"))
+        assert label.sizeHint().width() <= width
+    assert texts == ["✕ crosses at t = …, area 57 %", "✕ crosses at t = …", "✕ crosses"]
 
 
 def test_play_moves_t_and_pause_holds_it(arm: Driver) -> None:

@@ -6,8 +6,8 @@ import pytest
 from starskel.correspondence import Correspondence, match
 from starskel.decomposition import Decomposition, decompose
 from starskel.decomposition.ladder import by_fan, climb
-from starskel.decomposition.minimal import Piece
 from starskel.decomposition.overlay import crossings, overlay
+from starskel.decomposition.pieces import Piece
 from starskel.decomposition.reduce import union
 from starskel.decomposition.tiling import Tiling
 from starskel.decomposition.verify import faults
@@ -251,3 +251,8 @@ def test_pieces_that_touch_at_a_vertex_besides_their_edge_are_not_merged():
     assert union((0, 1, 2, 3), (2, 1, 4, 5)) == (0, 1, 4, 5, 2, 3)
     assert union((0, 1, 2, 3), (2, 1, 4, 0)) is None
     assert union((0, 1, 2, 3, 4, 5), (2, 1, 6, 4, 3, 7)) is None
+
+
+def test_a_piece_seen_from_one_vertex_alone_is_not_reshaped():
+    source, target = two_opt(36, 1974161621, 10), two_opt(36, 582411916, 10)
+    assert faults(decompose(paired(source, target))) == []

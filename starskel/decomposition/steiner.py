@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from starskel.decomposition.minimal import Piece
+from starskel.decomposition.pieces import Piece
 from starskel.decomposition.tiling import Tiling
 from starskel.predicates import Floats, Relation
 from starskel.task import Task
