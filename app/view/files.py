@@ -1,5 +1,6 @@
 """Files from the user's side: new, open, save, export, and no change lost on the way."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
@@ -7,6 +8,7 @@ from PySide6.QtWidgets import QDialog, QMainWindow
 
 from app.export import ENDINGS, write
 from app.session import Session
+from app.view import words
 from app.view.dialogs import (
     PROJECT_ENDING,
     Answer,
@@ -85,7 +87,8 @@ class Files(QObject):
     @Slot(object)
     def open_example(self, name: str) -> None:
         if self.may_go():
-            self._session.show_project(example(name))
+            project = example(name)
+            self._session.show_project(replace(project, name=words.example(project.name)))
 
     @Slot(object)
     def open_recent(self, path: Path) -> None:

@@ -6,6 +6,7 @@ from PySide6.QtCore import QCoreApplication, QRectF, QSize, Signal, Slot
 from PySide6.QtGui import QAction, QIcon, QPalette
 from PySide6.QtWidgets import QMenu, QProxyStyle, QStyle, QStyleOption, QWidget
 
+from app.view import words
 from app.view.drawing import layer_of, painting
 from app.view.remembered import forget_files, recent_files
 from app.view.theme import theme_of
@@ -74,7 +75,7 @@ class ExamplesMenu(ProjectMenu):
             if figure_number(name) == 1:
                 self.addSection(translate("Menus", "Figures of the paper"))
             project = example(name)
-            self.add(project.name, project, project.description, name)
+            self.add(words.example(project.name), project, words.example(project.description), name)
 
 
 class RecentMenu(ProjectMenu):

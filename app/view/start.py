@@ -14,7 +14,6 @@ from app.view.language import chosen, speak, spoken
 from app.view.main_window import MainWindow
 from app.view.remembered import last_file, theme_name
 from app.view.theme import DARK, LIGHT, Theme, apply_theme
-from starskel.files.examples import example
 
 FIRST_EXAMPLE = "arm"
 
@@ -73,7 +72,7 @@ def begin(window: MainWindow, path: Path | None) -> None:
     if path is not None:
         window.files.open(path)
     else:
-        window.session.show_project(example(FIRST_EXAMPLE))
+        window.files.open_example(FIRST_EXAMPLE)
         window.player.play()
 
 

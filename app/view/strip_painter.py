@@ -12,6 +12,7 @@ from app.view.drawing import faded, pen
 from app.view.strip_layout import TIMES, StripLayout
 from app.view.theme import Theme
 from app.view.thumbnail import paint_thumbnail
+from app.view.words import figure
 from starskel.files.project import letter
 
 translate = QCoreApplication.translate
@@ -23,7 +24,7 @@ HEAD = 7.0
 def seconds(duration: float) -> str:
     """Give a duration in seconds, at usual speed."""
     return translate("Strip", "{seconds} s").format(
-        seconds=f"{duration * Playback.duration:.1f}".removesuffix(".0")
+        seconds=figure(f"{duration * Playback.duration:.1f}".removesuffix(".0"))
     )
 
 

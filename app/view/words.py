@@ -37,6 +37,11 @@ def step(name: str) -> str:
     return translate("Step", name)
 
 
+def example(text: str) -> str:
+    """Give the name or the description of an example that comes with the program."""
+    return translate("Example", text) if text else ""
+
+
 def hint(text: str) -> str:
     """Give what a tool says about itself."""
     return translate("Hint", text)

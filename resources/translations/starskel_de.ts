@@ -20,12 +20,12 @@
         <translation>behalten Sie mindestens zwei Formen</translation>
     </message>
     <message>
-        <source>a shape stays behind the one before it and before the next</source>
-        <translation>eine Form bleibt hinter der vorigen und vor der nächsten</translation>
+        <source>a step this short cannot be seen</source>
+        <translation>ein so kurzer Schritt ist nicht zu sehen</translation>
     </message>
     <message>
-        <source>move it less</source>
-        <translation>verschieben Sie sie weniger weit</translation>
+        <source>let it last longer</source>
+        <translation>lassen Sie ihn länger dauern</translation>
     </message>
     <message>
         <source>there are marks, but not both shapes</source>
@@ -391,9 +391,36 @@
         <source>save it as PNG or JPEG</source>
         <translation>speichern Sie es als PNG oder JPEG</translation>
     </message>
+    <message>
+        <source>there is no outline in {name}</source>
+        <translation>in {name} ist kein Umriss</translation>
+    </message>
+</context>
+<context>
+    <name>AboutDialog</name>
+    <message>
+        <source>About starskel</source>
+        <translation>Über starskel</translation>
+    </message>
+    <message>
+        <source>Blends one drawn shape into another by the star-skeleton, after M. Shapira and A. Rappoport, IEEE Computer Graphics and Applications, March 1995. MIT licence.</source>
+        <translation>Überführt eine gezeichnete Form durch das Sternskelett in eine andere, nach M. Shapira und A. Rappoport, IEEE Computer Graphics and Applications, März 1995. MIT-Lizenz.</translation>
+    </message>
+    <message>
+        <source>Versions</source>
+        <translation>Versionen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Versions</source>
+        <translation>Versionen &amp;kopieren</translation>
+    </message>
 </context>
 <context>
     <name>Canvas</name>
+    <message>
+        <source>Draw shape {letter} here</source>
+        <translation>Zeichnen Sie hier die Form {letter}</translation>
+    </message>
     <message>
         <source>Draw the source shape here</source>
         <translation>Zeichnen Sie hier die Quelle</translation>
@@ -593,6 +620,10 @@
         <translation>De&amp;utsch</translation>
     </message>
     <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
         <source>Show frames before and after as faint outlines</source>
         <translation>Zwischenbilder davor und danach als blasse Umrisse zeigen</translation>
     </message>
@@ -719,6 +750,10 @@
     <message>
         <source>&amp;Shape</source>
         <translation>&amp;Form</translation>
+    </message>
+    <message>
+        <source>Se&amp;quence</source>
+        <translation>F&amp;olge</translation>
     </message>
     <message>
         <source>&amp;Tools</source>
@@ -940,6 +975,109 @@
         <source>Take the picture away from behind the shape</source>
         <translation>Die Vorlage hinter der Form wegnehmen</translation>
     </message>
+    <message>
+        <source>&amp;Add Key Shape</source>
+        <translation>Schlüsselform &amp;anfügen</translation>
+    </message>
+    <message>
+        <source>Put an empty shape behind the target, for the blend to go on to</source>
+        <translation>Hinter dem Ziel eine leere Form anfügen, zu der der Übergang weitergeht</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate Key Shape</source>
+        <translation>Schlüsselform &amp;duplizieren</translation>
+    </message>
+    <message>
+        <source>Put a copy behind the shape last worked on</source>
+        <translation>Hinter der zuletzt bearbeiteten Form eine Kopie einfügen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Key Shape</source>
+        <translation>Schlüsselform &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Take the shape last worked on out of the sequence</source>
+        <translation>Die zuletzt bearbeitete Form aus der Folge nehmen</translation>
+    </message>
+    <message>
+        <source>Move &amp;Earlier</source>
+        <translation>Nach &amp;vorn rücken</translation>
+    </message>
+    <message>
+        <source>Let the shape last worked on change places with the one before it</source>
+        <translation>Die zuletzt bearbeitete Form mit der vorigen vertauschen</translation>
+    </message>
+    <message>
+        <source>Move &amp;Later</source>
+        <translation>Nach &amp;hinten rücken</translation>
+    </message>
+    <message>
+        <source>Let the shape last worked on change places with the one behind it</source>
+        <translation>Die zuletzt bearbeitete Form mit der folgenden vertauschen</translation>
+    </message>
+    <message>
+        <source>&amp;Previous Step</source>
+        <translation>Vo&amp;riger Schritt</translation>
+    </message>
+    <message>
+        <source>Put the pair of shapes before on the canvases</source>
+        <translation>Das vorige Paar von Formen auf die Flächen holen</translation>
+    </message>
+    <message>
+        <source>&amp;Next Step</source>
+        <translation>&amp;Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>Put the next pair of shapes on the canvases</source>
+        <translation>Das nächste Paar von Formen auf die Flächen holen</translation>
+    </message>
+    <message>
+        <source>Play &amp;Only This Step</source>
+        <translation>Nur diesen &amp;Schritt abspielen</translation>
+    </message>
+    <message>
+        <source>Play only between the two shapes on the canvases, not all shapes</source>
+        <translation>Nur zwischen den beiden Formen auf den Flächen abspielen, nicht durch alle Formen</translation>
+    </message>
+    <message>
+        <source>Histor&amp;y</source>
+        <translation>&amp;Verlauf</translation>
+    </message>
+    <message>
+        <source>Show the list of edits, to go back to any of them</source>
+        <translation>Die Liste der Änderungen zeigen, um zu jeder zurückzugehen</translation>
+    </message>
+    <message>
+        <source>&amp;Find Command…</source>
+        <translation>Befehl &amp;finden…</translation>
+    </message>
+    <message>
+        <source>Find a command by a part of its name</source>
+        <translation>Einen Befehl an einem Teil seines Namens finden</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard Shortcuts…</source>
+        <translation>&amp;Tastenkürzel…</translation>
+    </message>
+    <message>
+        <source>See and change the keys of all commands</source>
+        <translation>Die Tasten aller Befehle sehen und ändern</translation>
+    </message>
+    <message>
+        <source>&amp;About starskel…</source>
+        <translation>&amp;Über starskel…</translation>
+    </message>
+    <message>
+        <source>What the program is, and its versions</source>
+        <translation>Was das Programm ist, und seine Versionen</translation>
+    </message>
+</context>
+<context>
+    <name>Convenience</name>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
 </context>
 <context>
     <name>Counts</name>
@@ -948,6 +1086,13 @@
         <translation>
             <numerusform>%n Eckpunkt</numerusform>
             <numerusform>%n Eckpunkte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marks</source>
+        <translation>
+            <numerusform>%n Marke</numerusform>
+            <numerusform>%n Marken</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1058,6 +1203,101 @@
     </message>
 </context>
 <context>
+    <name>Example</name>
+    <message>
+        <source>An arm bends</source>
+        <translation>Ein Arm beugt sich</translation>
+    </message>
+    <message>
+        <source>A comb bends</source>
+        <translation>Ein Kamm biegt sich</translation>
+    </message>
+    <message>
+        <source>Figure 1: a gecko walks</source>
+        <translation>Abbildung 1: ein Gecko läuft</translation>
+    </message>
+    <message>
+        <source>Both poses fall into the same star pieces, and a skeleton joins these; the pieces carry the gecko from pose to pose.</source>
+        <translation>Beide Haltungen zerfallen in dieselben Stern-Stücke, die ein Skelett verbindet; die Stücke tragen den Gecko von einer Haltung zur anderen.</translation>
+    </message>
+    <message>
+        <source>Figure 11: a snake coils</source>
+        <translation>Abbildung 11: eine Schlange rollt sich ein</translation>
+    </message>
+    <message>
+        <source>The head was outside the coil and comes inside: somewhere it must pass over the tail, as a snake in the world would.</source>
+        <translation>Der Kopf lag außerhalb der Windung und kommt hinein: irgendwo muss er über den Schwanz hinweg, wie bei einer wirklichen Schlange.</translation>
+    </message>
+    <message>
+        <source>Figure 2: a snake turns</source>
+        <translation>Abbildung 2: eine Schlange wendet</translation>
+    </message>
+    <message>
+        <source>Vertex interpolation shrinks the body to a quarter and runs it through itself; the star-skeleton bends it.</source>
+        <translation>Die Methode „Eckpunkte“ lässt den Körper auf ein Viertel schrumpfen und durch sich selbst laufen; das Stern-Skelett biegt ihn.</translation>
+    </message>
+    <message>
+        <source>Figure 3: a swan dips</source>
+        <translation>Abbildung 3: ein Schwan taucht ein</translation>
+    </message>
+    <message>
+        <source>Edge-angle interpolation blows the body up by a fifth on the way; the star-skeleton, which knows the inside, by half as much.</source>
+        <translation>Die Methode „Kanten und Winkel“ bläht den Körper unterwegs um ein Fünftel auf; das Stern-Skelett, das das Innere kennt, um halb so viel.</translation>
+    </message>
+    <message>
+        <source>Figure 4: an octopus</source>
+        <translation>Abbildung 4: ein Krake</translation>
+    </message>
+    <message>
+        <source>Six arms bend and stretch at once: edge-angle interpolation distorts the area, the star-skeleton keeps it within some hundredths.</source>
+        <translation>Sechs Arme biegen und strecken sich zugleich: „Kanten und Winkel“ verzerrt die Fläche, das Stern-Skelett hält sie auf wenige Hundertstel.</translation>
+    </message>
+    <message>
+        <source>Figure 5: an elephant</source>
+        <translation>Abbildung 5: ein Elefant</translation>
+    </message>
+    <message>
+        <source>Edge-angle interpolation pushes edges through each other where the trunk bends; the star-skeleton does not.</source>
+        <translation>Die Methode „Kanten und Winkel“ schiebt Kanten durcheinander, wo sich der Rüssel biegt; das Stern-Skelett nicht.</translation>
+    </message>
+    <message>
+        <source>Figure 6: an eel curls</source>
+        <translation>Abbildung 6: ein Aal krümmt sich</translation>
+    </message>
+    <message>
+        <source>Edge-angle interpolation runs the tail through itself; the star-skeleton keeps both sides of it apart.</source>
+        <translation>Die Methode „Kanten und Winkel“ lässt den Schwanz durch sich selbst laufen; das Stern-Skelett hält seine beiden Seiten auseinander.</translation>
+    </message>
+    <message>
+        <source>Figure 8: two zigzags</source>
+        <translation>Abbildung 8: zwei Zickzacke</translation>
+    </message>
+    <message>
+        <source>No diagonals of the one are diagonals of the other, so only added Steiner vertices cut both into the same star pieces.</source>
+        <translation>Keine Diagonale des einen ist eine des anderen; nur zusätzliche Steiner-Punkte zerlegen beide in dieselben Stern-Stücke.</translation>
+    </message>
+    <message>
+        <source>Arms swing</source>
+        <translation>Arme schwingen</translation>
+    </message>
+    <message>
+        <source>A hand opens</source>
+        <translation>Eine Hand öffnet sich</translation>
+    </message>
+    <message>
+        <source>C becomes S</source>
+        <translation>C wird S</translation>
+    </message>
+    <message>
+        <source>U becomes S</source>
+        <translation>U wird S</translation>
+    </message>
+    <message>
+        <source>Five points become eight</source>
+        <translation>Fünf Spitzen werden acht</translation>
+    </message>
+</context>
+<context>
     <name>ExportDialog</name>
     <message>
         <source>Keyframes in a row</source>
@@ -1154,12 +1394,27 @@
         <translation>{name} wurde nicht geschrieben</translation>
     </message>
     <message>
-        <source>Exported to {path}</source>
-        <translation>Exportiert nach {path}</translation>
-    </message>
-    <message>
         <source>{name} was not saved</source>
         <translation>{name} wurde nicht gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>Finder</name>
+    <message>
+        <source>Find command</source>
+        <translation>Befehl finden</translation>
+    </message>
+    <message>
+        <source>What do you want to do?</source>
+        <translation>Was möchten Sie tun?</translation>
+    </message>
+    <message>
+        <source>Part of a command&apos;s name</source>
+        <translation>Teil eines Befehlsnamens</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
     </message>
 </context>
 <context>
@@ -1243,6 +1498,40 @@
     <message>
         <source>Release to leave the picture here; Esc puts it back.</source>
         <translation>Loslassen lässt die Vorlage hier; Esc stellt sie zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>HistoryList</name>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Opened</source>
+        <translation>Geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>KeyStrip</name>
+    <message>
+        <source>Key shapes, {step} on the canvases</source>
+        <translation>Schlüsselformen, auf den Flächen {step}</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>leer</translation>
+    </message>
+    <message>
+        <source>Shape {letter}, {size}. Drag it to move it to another place.</source>
+        <translation>Form {letter}, {size}. Ziehen bringt sie an einen anderen Platz.</translation>
+    </message>
+    <message>
+        <source>{letters}, {marks}. Click to show them on the canvases.</source>
+        <translation>{letters}, {marks}. Ein Klick zeigt sie auf den Flächen.</translation>
+    </message>
+    <message>
+        <source>Add a shape</source>
+        <translation>Eine Form anfügen</translation>
     </message>
 </context>
 <context>
@@ -1353,6 +1642,14 @@
     <message>
         <source>&amp;Methods</source>
         <translation>&amp;Methoden</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Clear List</source>
+        <translation>Liste &amp;leeren</translation>
     </message>
 </context>
 <context>
@@ -1549,7 +1846,73 @@
     </message>
 </context>
 <context>
+    <name>SequenceBar</name>
+    <message>
+        <source>Duration of the step</source>
+        <translation>Dauer des Schritts</translation>
+    </message>
+    <message>
+        <source>How long the step on the canvases takes, at speed 1</source>
+        <translation>Wie lange der Schritt auf den Flächen dauert, bei Tempo 1</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+</context>
+<context>
+    <name>ShortcutsDialog</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtern</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Kürzel</translation>
+    </message>
+    <message>
+        <source>New shortcut</source>
+        <translation>Neues Kürzel</translation>
+    </message>
+    <message>
+        <source>&amp;Assign</source>
+        <translation>&amp;Zuweisen</translation>
+    </message>
+    <message>
+        <source>&amp;New shortcut:</source>
+        <translation>&amp;Neues Kürzel:</translation>
+    </message>
+    <message>
+        <source>&amp;Usual Shortcuts</source>
+        <translation>Ü&amp;bliche Kürzel</translation>
+    </message>
+    <message>
+        <source>“{command}” has this shortcut now; assigned here, it loses it.</source>
+        <translation>Dieses Kürzel hat jetzt „{command}“ und verliert es, wenn es hier zugewiesen wird.</translation>
+    </message>
+</context>
+<context>
     <name>Side</name>
+    <message>
+        <source>{letter} (source)</source>
+        <translation>{letter} (Quelle)</translation>
+    </message>
+    <message>
+        <source>{letter} (target)</source>
+        <translation>{letter} (Ziel)</translation>
+    </message>
     <message>
         <source>Source</source>
         <translation>Quelle</translation>
@@ -1574,8 +1937,16 @@
         <translation>Abbrechen</translation>
     </message>
     <message>
+        <source>Exported to {path}</source>
+        <translation>Exportiert nach {path}</translation>
+    </message>
+    <message>
         <source>Computing {method}…</source>
         <translation>Berechne: {method}…</translation>
+    </message>
+    <message>
+        <source>about {seconds} s left</source>
+        <translation>noch etwa {seconds} s</translation>
     </message>
     <message>
         <source>Computing…</source>
@@ -1734,6 +2105,37 @@
     <message>
         <source>Lock picture</source>
         <translation>Vorlage sperren</translation>
+    </message>
+    <message>
+        <source>Add key shape</source>
+        <translation>Schlüsselform anfügen</translation>
+    </message>
+    <message>
+        <source>Move key shape</source>
+        <translation>Schlüsselform verschieben</translation>
+    </message>
+    <message>
+        <source>Set duration</source>
+        <translation>Dauer festlegen</translation>
+    </message>
+    <message>
+        <source>Duplicate key shape</source>
+        <translation>Schlüsselform duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete key shape</source>
+        <translation>Schlüsselform löschen</translation>
+    </message>
+</context>
+<context>
+    <name>Strip</name>
+    <message>
+        <source>{seconds} s</source>
+        <translation>{seconds} s</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>leer</translation>
     </message>
 </context>
 <context>
@@ -1896,6 +2298,13 @@
     <message>
         <source>Natural in {n} of {all} frames: the shape lies over itself in layers.</source>
         <translation>In {n} von {all} Zwischenbildern natürlich: die Form liegt in Schichten über sich selbst.</translation>
+    </message>
+</context>
+<context>
+    <name>_FolderButton</name>
+    <message>
+        <source>Open Folder</source>
+        <translation>Ordner öffnen</translation>
     </message>
 </context>
 </TS>

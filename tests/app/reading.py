@@ -18,14 +18,13 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QProgressBar,
+    QScrollArea,
     QScrollBar,
     QTabBar,
     QTableView,
     QToolBar,
     QWidget,
 )
-
-from app.view.canvas import Canvas
 
 CONTROLS = (
     QAbstractButton,
@@ -35,8 +34,8 @@ CONTROLS = (
     QComboBox,
     QLineEdit,
     QProgressBar,
-    Canvas,
 )
+"""What somebody works with; besides, whatever the Tab key reaches."""
 
 LATIN = re.compile(r"[A-Za-z]{3,}")
 
@@ -79,7 +78,8 @@ def _is_control(widget: QWidget) -> bool:
         widget.parent(), QAbstractSpinBox | QComboBox
     )
     editor = isinstance(widget.parent() and widget.parent().parent(), QAbstractItemView)
-    return isinstance(widget, CONTROLS) and not part and not editor
+    tabbed = bool(widget.focusPolicy() & Qt.FocusPolicy.TabFocus) and not isinstance(widget, QScrollArea)
+    return (isinstance(widget, CONTROLS) or tabbed) and not part and not editor
 
 
 def _clipping(widget: QWidget) -> str:

@@ -36,6 +36,8 @@ def begin(driver: Driver) -> None:
     """Open an example, with the table of marks, in a window of usual size."""
     driver.window.files.open_example("arm")
     driver.wait_for_blends()
+    driver.window.actions_table["shape-duplicate"].trigger()  # so that the strip of key shapes is shown
+    driver.wait_for_blends()
     driver.window.actions_table["marks"].trigger()
     QApplication.processEvents()
     driver.window.setFixedSize(USUAL, 800)
