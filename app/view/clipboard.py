@@ -23,6 +23,17 @@ def copy_ring(ring: Floats) -> None:
     QGuiApplication.clipboard().setMimeData(data)
 
 
+def leave_clipboard() -> None:
+    """Leave what was copied as text; to be called before the program ends.
+
+    What else is on the clipboard is data of Python, which Qt would ask for when Python has ended.
+    """
+    clipboard = QGuiApplication.clipboard()
+    data = clipboard.mimeData()
+    if data is not None and data.hasFormat(OWN):
+        clipboard.setText(data.text())
+
+
 def copied_ring() -> Floats:
     """Give the outline on the clipboard, of several the largest.
 

@@ -10,6 +10,7 @@ from PySide6.QtCore import QLocale, QObject, Qt, Signal, Slot
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from app.session import Session
+from app.view.clipboard import leave_clipboard
 from app.view.language import chosen, speak, spoken
 from app.view.main_window import MainWindow
 from app.view.remembered import last_file, theme_name
@@ -63,7 +64,9 @@ def run(path: Path | None) -> int:
     window.convenience.restore()
     window.show()
     begin(window, path)
-    return application.exec()
+    status = application.exec()
+    leave_clipboard()
+    return status
 
 
 def begin(window: MainWindow, path: Path | None) -> None:

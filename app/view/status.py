@@ -83,7 +83,9 @@ class Status(QStatusBar):
         self.setContentsMargins(8, 2, 8, 2)
         self.addWidget(self.hint, 1)
         self.folder = _FolderButton()
-        for widget in (self.folder, self.work, self.progress, self.stop):
+        self.left = QLabel()
+        self.left.setObjectName("time-left")
+        for widget in (self.folder, self.work, self.progress, self.left, self.stop):
             self.addPermanentWidget(widget)
         self._delay = QTimer(self)
         self._delay.setSingleShot(True)
@@ -108,11 +110,9 @@ class Status(QStatusBar):
 
     @Slot(str, float)
     def _show_progress(self, method: str, fraction: float) -> None:
-        text = self.tr("Computing {method}…").format(method=words.method(method))
+        self.work.setText(self.tr("Computing {method}…").format(method=words.method(method)))
         left = time_left(monotonic() - self._begun, fraction)
-        if left is not None:
-            text += " " + self.tr("about {seconds} s left").format(seconds=left)
-        self.work.setText(text)
+        self.left.setText("" if left is None else self.tr("about {seconds} s left").format(seconds=left))
         self.progress.setValue(round(100 * fraction))
 
     @Slot(bool)
@@ -121,6 +121,7 @@ class Status(QStatusBar):
         if busy:
             self._begun = monotonic()
             self.work.clear()
+            self.left.clear()
             self._delay.start()
         else:
             self._delay.stop()
@@ -134,6 +135,7 @@ class Status(QStatusBar):
 
     def _set_busy(self, busy: bool) -> None:
         self.progress.setVisible(busy)
+        self.left.setVisible(busy)
         self.stop.setVisible(busy)
 
     def _outcome(self) -> str:

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from app.session import Session
+from app.view.clipboard import leave_clipboard
 from app.view.main_window import MainWindow
 from app.view.theme import LIGHT, apply_theme
 from tests.app.driver import Driver
@@ -56,6 +57,7 @@ def window(qtbot: QtBot) -> Iterator[MainWindow]:
     finally:
         window.session.new()  # with nothing unsaved, closing asks nothing
         window.close()
+        leave_clipboard()
         window.deleteLater()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 

@@ -6,6 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QSlider, QSpinBox
 
 from app.model.marks import Side
+from app.view.clipboard import leave_clipboard
 from tests.app.driver import CONTROL, LEFT, PLAIN, SHIFT, SQUARE, TRIANGLE, Driver
 
 FLAG = ((10, 10), (90, 10), (90, 60), (50, 40), (10, 60))
@@ -190,3 +191,13 @@ def test_a_triangle_stays_a_triangle(driver: Driver) -> None:
     driver.draw("source", TRIANGLE)
     act(driver, "simplify")
     assert len(driver.document.vertices("source")) == 3
+
+
+def test_what_was_copied_outlives_the_program_as_text(driver: Driver) -> None:
+    """As data of Python it would be asked for when Python has ended, and crash."""
+    driver.draw("source", SQUARE)
+    driver.window.actions_table["copy"].trigger()
+    leave_clipboard()
+    data = QGuiApplication.clipboard().mimeData()
+    assert data.formats() == ["text/plain"]
+    assert data.text().startswith("<svg")
