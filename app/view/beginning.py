@@ -1,6 +1,6 @@
 """How to begin, in five lines: shown at the first start, and again from the Help menu."""
 
-from PySide6.QtCore import QSettings, QSize, Qt
+from PySide6.QtCore import QSettings, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QToolButton, QVBoxLayout
 
@@ -35,7 +35,6 @@ class Beginning(QFrame):
         self.close_button.setObjectName("dismiss")
         self.close_button.setText("✕")
         self.close_button.setAutoRaise(True)
-        self.close_button.setFixedSize(QSize(24, 24))
         self.close_button.setToolTip(self.tr("Put this away; it is in the Help menu"))
         self.close_button.setAccessibleName(self.tr("Put away how to begin"))
         self.close_button.clicked.connect(switch.trigger)
