@@ -57,6 +57,7 @@ def window(qtbot: QtBot) -> Iterator[MainWindow]:
         window.session.new()  # with nothing unsaved, closing asks nothing
         window.close()
         window.deleteLater()
+        application.clipboard().clear()  # without a screen it would outlive Python, and end it with a signal
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
