@@ -1317,6 +1317,10 @@
         <translation>Schlüsselbilder exportieren</translation>
     </message>
     <message>
+        <source>Apart as played, with easing</source>
+        <translation>Abstände wie abgespielt, mit Zeitverlauf</translation>
+    </message>
+    <message>
         <source>Marks</source>
         <translation>Marken</translation>
     </message>
