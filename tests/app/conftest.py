@@ -47,6 +47,7 @@ def window(qtbot: QtBot) -> Iterator[MainWindow]:
     assert isinstance(application, QApplication)
     apply_theme(application, LIGHT)
     window = MainWindow(Session())
+    window.resize(1280, 860)  # its usual size, which the screen that there is not would not allow
     window.show()
     qtbot.waitExposed(window)
     window.session.new()

@@ -18,7 +18,7 @@ def test_a_narrow_window_gets_fewer_sentences_of_the_hint(window: MainWindow) ->
     bar = window.statusBar()
     assert isinstance(bar, Status)
     hint = bar.hint
-    window.actions_table["draw"].trigger()
+    window.actions_table["select"].trigger()
     whole = hint.toolTip()
     hint.resize(2000, hint.height())
     assert hint.text() == whole
