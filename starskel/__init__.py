@@ -18,13 +18,18 @@ from starskel.errors import (
 )
 
 if TYPE_CHECKING:
-    from starskel.blending.blend import blend
     from starskel.blending.frames import Blend
-    from starskel.correspondence import Correspondence, match, suggest_marks
+    from starskel.correspondence import Correspondence, suggest_marks
     from starskel.decomposition import decompose
     from starskel.decomposition.pieces import Decomposition
     from starskel.polygon import Polygon
     from starskel.quality import Report, measure
+    from starskel.shapes.blend import blend
+    from starskel.shapes.correspondence import ShapeCorrespondence
+    from starskel.shapes.match import match
+    from starskel.shapes.pairing import suggest_pairing
+    from starskel.shapes.shape import Shape
+    from starskel.shapes.shape_blend import ShapeBlend
     from starskel.skeleton import Skeleton
 
 __all__ = [
@@ -39,6 +44,9 @@ __all__ = [
     "NoDecomposition",
     "Polygon",
     "Report",
+    "Shape",
+    "ShapeBlend",
+    "ShapeCorrespondence",
     "Skeleton",
     "StarskelError",
     "UnknownMethod",
@@ -47,6 +55,7 @@ __all__ = [
     "match",
     "measure",
     "suggest_marks",
+    "suggest_pairing",
 ]
 
 _HOMES = {
@@ -55,12 +64,16 @@ _HOMES = {
     "Decomposition": "starskel.decomposition.pieces",
     "Polygon": "starskel.polygon",
     "Report": "starskel.quality",
+    "Shape": "starskel.shapes.shape",
+    "ShapeBlend": "starskel.shapes.shape_blend",
+    "ShapeCorrespondence": "starskel.shapes.correspondence",
     "Skeleton": "starskel.skeleton",
-    "blend": "starskel.blending.blend",
+    "blend": "starskel.shapes.blend",
     "decompose": "starskel.decomposition",
-    "match": "starskel.correspondence",
+    "match": "starskel.shapes.match",
     "measure": "starskel.quality",
     "suggest_marks": "starskel.correspondence",
+    "suggest_pairing": "starskel.shapes.pairing",
 }
 
 

@@ -42,13 +42,15 @@ def safe(before: Floats, after: Floats) -> bool:
     before, after : (n, 2) arrays
         The ring at both ends; it is taken for granted that it does not cross itself before.
     """
+    pairs = near_pairs(as_complex(before), as_complex(after), 0.0)
+    return not any(meet(before, after, vertex, edge) for vertex, edge in pairs)
+
+
+def meet(before: Floats, after: Floats, vertex: Indices, edge: Indices) -> bool:
+    """Tell whether of some pairs a vertex touches its edge while a ring moves evenly; exact, like `safe`."""
     first, second = as_complex(before), as_complex(after)
-    for vertex, edge in near_pairs(first, second, 0.0):
-        p, q = seen_ends(first, vertex, edge), seen_ends(second, vertex, edge)
-        for k in _undecided(*p, *q):
-            if _touches(before, after, int(vertex[k]), int(edge[k])):
-                return False
-    return True
+    open_ = _undecided(*seen_ends(first, vertex, edge), *seen_ends(second, vertex, edge))
+    return any(_touches(before, after, int(vertex[k]), int(edge[k])) for k in open_)
 
 
 def first_unsafe(keys: Floats) -> int | None:
@@ -95,13 +97,16 @@ def _undecided(p0: Complex, q0: Complex, p1: Complex, q1: Complex) -> Indices:
     curves = np.stack([p0.conj() * q0, (p0.conj() * q1 + p1.conj() * q0) / 2, p1.conj() * q1])
     scale = np.maximum(np.abs(p0), np.abs(p1)) * np.maximum(np.abs(q0), np.abs(q1))
     bounds = _ROUNDING * scale + _TINY
-    rows = np.arange(len(p0))
+    rows, found = np.arange(len(p0)), []
     for _ in range(HALVINGS):
         open_ = ~_clear(curves, bounds)
+        still = open_ & (curves == curves[0]).all(axis=0)  # halves of a point are no better
+        found.append(rows[still])
+        open_ &= ~still
         curves, bounds, rows = _halves(curves[:, open_]), np.tile(bounds[open_], 2), np.tile(rows[open_], 2)
         if not 0 < len(rows) < _MOST_CURVES:
-            return np.unique(rows)
-    return np.unique(rows[~_clear(curves, bounds)])
+            return np.unique(np.concatenate([rows, *found]))
+    return np.unique(np.concatenate([rows[~_clear(curves, bounds)], *found]))
 
 
 def _clear(curves: Complex, bounds: Floats) -> NDArray[np.bool_]:

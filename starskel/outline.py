@@ -45,6 +45,23 @@ def cross_themselves(rings: Floats) -> Flags:
     return ~(simple & apart & (signed_areas(rings) > 0))
 
 
+def regions_cross(rows: Floats, starts: tuple[int, ...]) -> Flags:
+    """Tell which of k regions, (k, n, 2), have rings that cross themselves or each other, or holes outside.
+
+    The rings begin at the rows named: the outline, then the holes, clockwise.
+    """
+    outlines, *holes = np.split(rows, starts[1:], axis=1)
+    crossing = cross_themselves(outlines)
+    for ring in holes:
+        crossing |= cross_themselves(ring[:, ::-1])
+    if holes:
+        rings = np.stack([shapely.linearrings(ring) for ring in holes], axis=1)
+        crossing |= ~np.asarray(
+            shapely.is_valid(shapely.polygons(shapely.linearrings(outlines), holes=rings))
+        )
+    return crossing
+
+
 def precedes(first: Floats, second: Floats) -> bool:
     """Tell which ring comes first in a fixed order: that of fewer vertices, then of smaller coordinates.
 

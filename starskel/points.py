@@ -163,8 +163,20 @@ def _dyadic(numbers: list[float]) -> list[int]:
     return [*(n << exponent - d.bit_length() + 1 for n, d in ratios), exponent]
 
 
-def points_of(ring: Floats) -> Points:
-    """Give the vertices of a ring as exact points, its straight runs found."""
+def points_of(vertices: Floats, starts: tuple[int, ...] = (0,)) -> Points:
+    """Give the vertices of a ring, or of rings from these rows on, as exact points, straight runs found."""
+    if len(starts) == 1:
+        return _points_of(vertices)
+    rings = [_points_of(ring) for ring in np.split(vertices, starts[1:])]
+    return Points(
+        vertices,
+        np.concatenate([ring.start + first for ring, first in zip(rings, starts, strict=True)]),
+        np.concatenate([ring.end + first for ring, first in zip(rings, starts, strict=True)]),
+        np.concatenate([ring.share for ring in rings]),
+    )
+
+
+def _points_of(ring: Floats) -> Points:
     n = len(ring)
     own = np.arange(n)
     points = Points(ring, own.copy(), own.copy(), np.zeros(n))

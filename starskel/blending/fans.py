@@ -67,7 +67,8 @@ def fans_of(decomposition: Decomposition, task: Task) -> Fans:
 def _exact_points(decomposition: Decomposition) -> tuple[Points, Points]:
     pair = decomposition.pair
     steiner = decomposition.source[len(pair) :], decomposition.target[len(pair) :]
-    return points_of(pair.source).with_free(steiner[0]), points_of(pair.target).with_free(steiner[1])
+    source, target = points_of(pair.source, pair.starts), points_of(pair.target, pair.starts)
+    return source.with_free(steiner[0]), target.with_free(steiner[1])
 
 
 def _hub(first: Points, second: Points, piece: NDArray[np.intp]) -> int | tuple[Floats, Floats]:

@@ -9,7 +9,6 @@ from numpy.typing import ArrayLike, NDArray
 from starskel.correspondence import Correspondence
 from starskel.decomposition.pieces import Decomposition
 from starskel.errors import StarskelError
-from starskel.outline import edge_lengths
 from starskel.predicates import Floats
 from starskel.skeleton import Skeleton
 from starskel.task import Progress, ShouldStop
@@ -125,13 +124,22 @@ def placed(frames: Floats, ts: Floats, pair: Correspondence) -> Floats:
     The masses are those of the edges, at the mean of their lengths: they do not depend on how densely an
     outline is sampled, and not on t.
     """
-    lengths = edge_lengths(pair.source), edge_lengths(pair.target)
-    masses = lengths[0] / lengths[0].sum() + lengths[1] / lengths[1].sum()
-    weights = (masses + np.roll(masses, 1)) / 4
+    weights = row_masses(pair)
     start, end = weights @ pair.source, weights @ pair.target
     centres = (1 - ts)[:, None] * start + ts[:, None] * end
     moves = centres - np.einsum("n,knc->kc", weights, frames[:, : len(pair)])
     return np.asarray(frames + moves[:, None, :])
+
+
+def row_masses(pair: Correspondence) -> Floats:
+    """Give the mass of each row, together 1: half that of both edges that end there, by their lengths."""
+    steps = [ring[pair.following] - ring for ring in (pair.source, pair.target)]
+    lengths = [np.hypot(step[:, 0], step[:, 1]) for step in steps]
+    shares = [length / length.sum() for length in lengths if length.any()]
+    masses = np.sum(shares, axis=0)
+    weights = masses.copy()
+    weights[pair.following] += masses
+    return np.asarray(weights / (2 * len(shares)))
 
 
 def with_exact_ends(frames: Floats, ts: Floats, errors: Floats) -> Floats:

@@ -54,14 +54,13 @@ class Mesh:
         return (self.wishes.source_lengths + self.wishes.target_lengths) / 2
 
 
-def mesh_of(fans: Fans, count: int) -> Mesh:
-    """Link the fans of a pair of this many vertices."""
+def mesh_of(fans: Fans) -> Mesh:
+    """Link the fans of a pair."""
     source, target = as_complex(fans.source), as_complex(fans.target)
     triangles = fans.triangles
     ends = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
     edges, sides = np.unique(ends, axis=0, return_inverse=True)
     sides = sides.reshape(-1, 3)
-    step = edges[:, 1] - edges[:, 0]
     areas = triangle_areas(source[triangles]), triangle_areas(target[triangles])
     vectors = [z[edges[:, 1]] - z[edges[:, 0]] for z in (source, target)]
     first = int(np.minimum(areas[0] / areas[0].sum(), areas[1] / areas[1].sum()).argmax())
@@ -73,7 +72,7 @@ def mesh_of(fans: Fans, count: int) -> Mesh:
         triangles=triangles,
         edges=edges,
         sides=sides,
-        on_ring=(edges[:, 1] < count) & ((step == 1) | (step == count - 1)),
+        on_ring=np.bincount(sides.ravel()) == 1,
         wishes=PolarVectors.between(
             vectors[0], vectors[1], _unwrapped(sides, bends, first, rotation, len(edges))
         ),

@@ -15,6 +15,6 @@ class RigidBlend(FanBlend):
     """
 
     def _prepared(self, fans: Fans, task: Task) -> Motion:
-        mesh = mesh_of(with_better_edges(fans, task), len(self.pair))
+        mesh = mesh_of(with_better_edges(fans, task))
         task.reach(0.6)
         return RigidTriangles.of(mesh).points

@@ -12,7 +12,7 @@ from starskel.blending.fans import Fans
 from starskel.blending.improvement import with_better_edges
 from starskel.blending.mesh import mesh_of, triangle_areas
 from starskel.blending.stitch import Graph, Stitch, edge_weights, graph_of
-from starskel.outline import Flags, cross_themselves
+from starskel.outline import Flags, regions_cross
 from starskel.polar import as_points
 from starskel.predicates import Floats
 from starskel.task import Task
@@ -84,20 +84,23 @@ class Graphs:
     Parameters
     ----------
     fans : Fans
+    starts : tuple of int
+        The points at which rings begin.
     count : int
-        How many of their points belong to the outline.
+        How many of their points belong to rings.
     """
 
-    def __init__(self, fans: Fans, count: int) -> None:
+    def __init__(self, fans: Fans, starts: tuple[int, ...], count: int) -> None:
         self._fans = fans
         self._made: dict[bool, Graph] = {}
+        self.starts = starts
         self.count = count
 
     def of(self, rung: Rung, task: Task) -> Graph:
         """Give the one that a rung stands on."""
         if rung.flipped not in self._made:
             fans = with_better_edges(self._fans, task) if rung.flipped else self._fans
-            self._made[rung.flipped] = graph_of(mesh_of(fans, self.count))
+            self._made[rung.flipped] = graph_of(mesh_of(fans))
         return self._made[rung.flipped]
 
 
@@ -134,6 +137,7 @@ def better(graphs: Graphs, task: Task) -> Iterator[Stitch]:
 def _attempts(graphs: Graphs, rung: Rung, task: Task) -> Iterator[tuple[float, Stitch]]:
     """Give stitches, each stiffer where the one before was squeezed, and their shares of crossing frames."""
     graph, count = graphs.of(rung, task), graphs.count
+    looked_at = count, graphs.starts
     base = edge_weights(graph.mesh, rung.on_ring, rung.yielding)
     stiffness = np.ones(len(graph.mesh.source))
     affordable = _MOST_POINTS * _GLANCE // (CHECKED * len(LADDER) * count)
@@ -141,10 +145,10 @@ def _attempts(graphs: Graphs, rung: Rung, task: Task) -> Iterator[tuple[float, S
         weights = base * np.sqrt(stiffness[graph.mesh.edges].prod(axis=1))
         stitch = Stitch.of(graph, weights, rung.dial)
         times = TIMES[_GLANCE // 2 :: _GLANCE]
-        crossing = _crossing(stitch, times, count, task)
+        crossing = _crossing(stitch, times, looked_at, task)
         if not crossing.any():
             times = np.setdiff1d(TIMES, times)
-            crossing = _crossing(stitch, times, count, task)
+            crossing = _crossing(stitch, times, looked_at, task)
         yield float(crossing.mean()), stitch
         squeezed = _squeezed(stitch, times[crossing])
         if not squeezed.any():
@@ -152,13 +156,14 @@ def _attempts(graphs: Graphs, rung: Rung, task: Task) -> Iterator[tuple[float, S
         stiffness[np.unique(graph.mesh.triangles[squeezed])] *= _STIFFER
 
 
-def _crossing(stitch: Stitch, ts: Floats, count: int, task: Task) -> Flags:
-    """Tell which of the frames at these times cross themselves."""
+def _crossing(stitch: Stitch, ts: Floats, looked_at: tuple[int, tuple[int, ...]], task: Task) -> Flags:
+    """Tell which of the frames at these times cross themselves, of so many points and rings that start so."""
+    count, starts = looked_at
     step = max(1, _BATCH // count)
     parts = []
     for k in range(0, len(ts), step):
         task.reach(0)
-        parts.append(cross_themselves(as_points(stitch.points(ts[k : k + step])[:, :count])))
+        parts.append(regions_cross(as_points(stitch.points(ts[k : k + step])[:, :count]), starts))
     return np.concatenate(parts)
 
 

@@ -53,5 +53,5 @@ class StitchedBlend(FanBlend):
         return (stitch.points for stitch in better(self._graphs, task))
 
     def _prepared(self, fans: Fans, task: Task) -> Motion:
-        self._graphs = Graphs(fans, len(self.pair))
+        self._graphs = Graphs(fans, self.pair.starts, len(self.pair))
         return plainest(self._graphs, task).points

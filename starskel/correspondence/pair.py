@@ -1,11 +1,12 @@
 """What a complete correspondence is."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from starskel.predicates import Floats
+from starskel.predicates import Floats, Indices
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,6 +21,9 @@ class Correspondence:
         The marks as given: a vertex of the source polygon, a vertex of the target polygon.
     source_vertices, target_vertices : (n,) arrays of int
         For each row the vertex of the polygon, or -1 where the row was inserted.
+    starts : tuple of int
+        The rows at which rings begin: one ring for a polygon; for a region with holes the outline, and behind
+        it the holes, clockwise.
     """
 
     source: Floats
@@ -27,6 +31,14 @@ class Correspondence:
     marks: tuple[tuple[int, int], ...]
     source_vertices: NDArray[np.intp]
     target_vertices: NDArray[np.intp]
+    starts: tuple[int, ...] = (0,)
+
+    @cached_property
+    def following(self) -> Indices:
+        """For each row the one after it on its ring."""
+        rows = np.arange(1, len(self) + 1)
+        rows[[*(start - 1 for start in self.starts[1:]), -1]] = self.starts
+        return rows
 
     def __len__(self) -> int:
         return len(self.source)

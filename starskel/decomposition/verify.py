@@ -31,7 +31,7 @@ def faults(decomposition: Decomposition) -> list[str]:
         if len(origins) != len(decomposition.pieces):
             found.append(f"{side}: {len(origins)} origins for {len(decomposition.pieces)} pieces")
             continue
-        points = points_of(ring).with_free(vertices[len(ring) :])
+        points = points_of(ring, decomposition.pair.starts).with_free(vertices[len(ring) :])
         for at, piece in enumerate(decomposition.pieces):
             fault = _piece_fault(points, np.array(piece), origins[at])
             if fault:
@@ -40,9 +40,8 @@ def faults(decomposition: Decomposition) -> list[str]:
 
 
 def _edge_faults(decomposition: Decomposition) -> list[str]:
-    n = len(decomposition.pair.source)
     edges = Counter(edge for piece in decomposition.pieces for edge in edges_of(piece))
-    ring = {(i, (i + 1) % n) for i in range(n)}
+    ring = set(enumerate(decomposition.pair.following.tolist()))
     found = [f"edge {a}-{b} stands {k} times in one direction" for (a, b), k in edges.items() if k > 1]
     found += [f"edge {a}-{b} of the polygon is in no piece" for a, b in sorted(ring - edges.keys())]
     lonely = sorted((a, b) for a, b in edges if ((b, a) not in edges) != ((a, b) in ring))

@@ -1,34 +1,39 @@
 """What keeps vertices off edges: an energy that rises where a pair comes nearer than at both ends of the way.
 
-The energy of a pair at distance d is the squared logarithm of d / h below its reach h, and zero beyond. The
+The energy of a pair at distance d is the squared logarithm of (d - r) / (h - r) below its reach h, and zero
+beyond; r is the room that it is to keep. The
 reach is less than the pair's distance in each frame that must be met exactly: there it pushes nothing.
 """
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 from scipy import sparse
 
-from starskel.certificate import near_pairs, seen_ends
+from starskel.blending.certified.room import Room, contacts
+from starskel.certificate import near_pairs
 from starskel.predicates import Complex, Floats, Indices
 
 REACH = 0.05
 """The largest distance at which pairs push each other apart, as a part of the size."""
 
-SOON = 3.0
+SPARSE = 200
+"""Of rings with more vertices the reach is less, by the root: so many more pairs are near each other."""
+
+SOON = 1.5
 """Pairs nearer than this multiple of their reach may get into it while a frame moves."""
 
 SHARE = 0.7
 """The reach of a pair, as a part of its distance in frames that must be met."""
 
+AMPLE = 2.0
+"""The room that pairs are kept from by the barrier, as a multiple of what is asked of links."""
 
-class Contact(NamedTuple):
-    """Of vertices and edges: distances, directions (edge to vertex), how far along the edge is nearest."""
+HALF = 0.5
+"""It is no more than this part of the reach."""
 
-    distance: Floats
-    direction: Complex
-    share: Floats
+LEAST = 1e-3
+"""Where a pair has no room left, this part of its distance counts as left."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,14 +45,17 @@ class Barrier:
     vertex, edge : (k,) arrays
         The pairs; an edge counts by its first end.
     reach : (k,) array
+    room : (k,) array
+        What no pair comes nearer than.
     """
 
     vertex: Indices
     edge: Indices
     reach: Floats
+    room: Floats
 
     @classmethod
-    def near(cls, frame: Complex, met: tuple[Complex, ...], size: float) -> "Barrier":
+    def near(cls, frame: Complex, met: tuple[Complex, ...], size: float, room: Room | None) -> "Barrier":
         """Find the pairs of a frame that are or may soon be within reach.
 
         Parameters
@@ -57,19 +65,30 @@ class Barrier:
             Frames where no pair may push.
         size : float
             The shapes' extent.
+        room : Room, optional
+            What is to be kept; without, pairs may come as near as they like.
         """
-        parts = list(near_pairs(frame, frame, SOON * REACH * size))
+        most = REACH * size * min(1.0, (SPARSE / len(frame)) ** 0.5)
+        parts = list(near_pairs(frame, frame, SOON * most))
         vertex, edge = (np.concatenate([part[k] for part in parts]) for k in (0, 1))
-        reach = np.full(len(vertex), REACH * size)
-        for other in met:
-            reach = np.minimum(reach, SHARE * contacts(other, vertex, edge).distance)
-        soon = contacts(frame, vertex, edge).distance < SOON * reach
-        return cls(vertex[soon], edge[soon], reach[soon])
+        reach = np.full(len(vertex), most)
+        for other in (frame, *met):
+            if other is not frame:
+                reach = np.minimum(reach, SHARE * contacts(other, vertex, edge).distance)
+            soon = contacts(frame, vertex, edge).distance < SOON * reach
+            vertex, edge, reach = vertex[soon], edge[soon], reach[soon]
+        if room is None:
+            return cls(vertex, edge, reach, np.zeros(len(reach)))
+        return cls(vertex, edge, reach, np.minimum(AMPLE * room.floors(vertex, edge), reach * HALF))
 
     def energy(self, frame: Complex) -> float:
         """Give half the sum of squared logarithms."""
-        pushed = contacts(frame, self.vertex, self.edge).distance / self.reach
-        return float((np.log(pushed[pushed < 1]) ** 2).sum() / 2)
+        distance = contacts(frame, self.vertex, self.edge).distance
+        near = distance < self.reach
+        beyond = (distance - self.room)[near] / (self.reach - self.room)[near]
+        if (beyond <= 0).any():
+            return np.inf
+        return float((np.log(beyond) ** 2).sum() / 2)
 
     def linear(self, frame: Complex, unknowns: int) -> tuple[Floats, sparse.csr_array]:
         """Give the logarithms of pairs within reach, and their derivatives by x0, y0, x1, y1, ..."""
@@ -77,23 +96,13 @@ class Barrier:
         found = contacts(frame, self.vertex, self.edge)
         near = np.flatnonzero(found.distance < self.reach)
         distance, direction, share = (part[near] for part in found)
-        vertex, edge = self.vertex[near], self.edge[near]
+        vertex, edge, room = self.vertex[near], self.edge[near], self.room[near]
+        beyond = np.maximum(distance - room, LEAST * distance)
         columns = np.stack([vertex, edge, (edge + 1) % n], axis=1)
-        slopes = direction[:, None] / distance[:, None]
+        slopes = direction[:, None] / beyond[:, None]
         slopes = slopes * np.stack([np.ones(len(near)), share - 1, -share], axis=1)
         rows = np.repeat(np.arange(len(near)), 6)
         places = (2 * columns[:, :, None] + [0, 1]).ravel()
         values = np.stack([slopes.real, slopes.imag], axis=2).ravel()
         jacobian = sparse.csr_array((values, (rows, places)), shape=(len(near), unknowns))
-        return np.log(distance / self.reach[near]), jacobian
-
-
-def contacts(frame: Complex, vertex: Indices, edge: Indices) -> Contact:
-    """Measure pairs of a vertex and an edge."""
-    p, q = seen_ends(frame, vertex, edge)
-    along = q - p
-    squared = along.real**2 + along.imag**2
-    share = np.clip(-(p.real * along.real + p.imag * along.imag) / np.where(squared > 0, squared, 1.0), 0, 1)
-    away = -(p + share * along)
-    distance = np.maximum(np.abs(away), np.finfo(np.float64).tiny)
-    return Contact(distance, away / distance, share)
+        return np.log(beyond / (self.reach[near] - room)), jacobian

@@ -25,6 +25,9 @@ EVEN = 2e-4
 BISECTIONS = 6
 """How often a link that is not safe is halved before it counts as a gap."""
 
+BATCH = 16_000
+"""So many vertices of frames are computed before asking again whether to stop."""
+
 
 @dataclass(frozen=True, eq=False)
 class Key:
@@ -38,38 +41,60 @@ Chain = list[Key]
 """Keys in the order of time, linked by even motions."""
 
 
-def chains_of(source: Floats, target: Floats, guide: Guide, linked: Linked, task: Task) -> list[Chain]:
+def chains_between(start: Key, end: Key, guide: Guide, linked: Linked, task: Task) -> list[Chain]:
     """Give a guide's frames as chains of good links; there are gaps between one chain and the next.
 
-    The first chain begins with the source and the last ends with the target, to the bit.
+    The first chain begins with the start and the last ends with the end, to the bit.
     """
-    times, wanted = _even(guide)
-    frames = [source, *wanted[1:-1], target]
+    times, wanted = _even(start, end, guide, task.part(0, 0.5))
+    frames = [start.frame, *wanted[1:-1], end.frame]
     keys = [Key(float(t), frame) for t, frame in zip(times, frames, strict=True)]
-    good = ~cross_themselves(np.stack(frames))
-    for at in np.flatnonzero(good):
-        task.reach(0)
-        good[at] = linked(frames[at], frames[at])
-    good[[0, -1]] = True  # polygons are simple, whatever rounding makes of vertices inserted on their edges
+    good = []
+    for key in keys:
+        task.reach(0.5)
+        good.append(not cross_themselves(key.frame[None])[0] and linked(key.frame, key.frame))
+    good[0] = good[-1] = (
+        True  # polygons are simple, whatever rounding makes of vertices inserted on their edges
+    )
     chains = [[keys[0]]]
     for before, after in pairwise(np.flatnonzero(good)):
-        search = _Search(guide, linked, task.part(keys[before].t, 1))
-        pieces = [[keys[before]], [keys[after]]]
-        _append(
-            chains, pieces if after - before > 1 else search.chains(keys[before], keys[after], BISECTIONS)
-        )
+        if after - before > 1:
+            chains.append([keys[after]])
+        else:
+            search = _Search(guide, linked, task.part(0.5 + before / len(keys) / 2, 1))
+            _append(chains, search.chains(keys[before], keys[after], BISECTIONS))
     return chains
 
 
-def _even(guide: Guide) -> tuple[Floats, Floats]:
+def filled(chains: list[Chain], guide: Guide, linked: Linked, task: Task) -> list[Chain]:
+    """Look in the gaps for more of a guide's frames, where less is asked of links than it was."""
+    done, share = [chains[0]], 1 / len(chains)
+    for at, chain in enumerate(chains[1:]):
+        part = task.part(at * share, (at + 1) * share)
+        _append(done, chains_between(done[-1][-1], chain[0], guide, linked, part))
+        done[-1] = [*done[-1], *chain[1:]]
+    return done
+
+
+def _even(start: Key, end: Key, guide: Guide, task: Task) -> tuple[Floats, Floats]:
     """Give times so dense that a guide's frames move evenly between them, all but; and these frames."""
+    span, size = end.t - start.t, 2 * farthest(start.frame - start.frame.mean(axis=0))
     for links in LINKS:
-        times = np.linspace(0, 1, 2 * links + 1)
-        frames = guide(times)
+        times = np.linspace(start.t, end.t, 2 * max(1, int(np.ceil(span * links))) + 1)
+        frames = frames_at(times, guide, len(start.frame), task)
         off = farthest((frames[:-1:2] + frames[2::2]) / 2 - frames[1::2])
-        if off < EVEN * 2 * farthest(frames[0] - frames[0].mean(axis=0)):
+        if off < EVEN * size:
             break
     return times[::2], frames[::2]
+
+
+def frames_at(times: Floats, guide: Guide, n: int, task: Task) -> Floats:
+    """Give a guide's frames of n vertices, not too many at a time."""
+    parts, step = [], max(1, BATCH // n)
+    for k in range(0, len(times), step):
+        task.reach(0)
+        parts.append(guide(times[k : k + step]))
+    return np.concatenate(parts)
 
 
 def farthest(vectors: Floats) -> float:
@@ -79,13 +104,16 @@ def farthest(vectors: Floats) -> float:
 
 def _append(chains: list[Chain], found: list[Chain]) -> None:
     """Add chains that begin with the key at which the chains so far end."""
-    chains[-1] += found[0][1:]
+    chains[-1] = [*chains[-1], *found[0][1:]]
     chains += found[1:]
 
 
 @dataclass(frozen=True)
 class _Search:
-    """Linking keys of a guide, by frames between them where that is needed and helps."""
+    """Linking keys of a guide, by frames between them where that is needed and helps.
+
+    Where one of two halves resists, the whole is a gap: to narrow it further costs more than it is worth.
+    """
 
     guide: Guide
     linked: Linked
@@ -100,9 +128,11 @@ class _Search:
         if not bisections or cross_themselves(frame)[0] or not self.linked(frame[0], frame[0]):
             return [[before], [after]]
         middle = Key(t, frame[0])
-        chains = self.chains(before, middle, bisections - 1)
-        _append(chains, self.chains(middle, after, bisections - 1))
-        return chains
+        first = self.chains(before, middle, bisections - 1)
+        if len(first) > 1:
+            return [[before], [after]]
+        rest = self.chains(middle, after, bisections - 1)
+        return [[before], [after]] if len(rest) > 1 else [first[0] + rest[0][1:]]
 
 
 def between(times: Floats, frames: Floats, ts: Floats) -> Floats:

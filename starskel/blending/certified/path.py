@@ -1,24 +1,27 @@
 """From source to target: by the wanted frames where they are simple, by the least repair elsewhere."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 
 from starskel.blending.certified.convex_combination import convex_combination_of
-from starskel.blending.certified.keys import Chain, Guide, Key, chains_of
+from starskel.blending.certified.keys import Chain, Guide, Key, chains_between, filled
 from starskel.blending.certified.metric import Metric, metric_of
 from starskel.blending.certified.repair import bridged
 from starskel.blending.certified.room import KEPT, Room
 from starskel.blending.certified.smoothing import smoothed, thinned
 from starskel.blending.certified.surroundings import surroundings_of
-from starskel.blending.certified.tracking import Pull
+from starskel.blending.certified.tracking import Allowance, Pull
 from starskel.certificate import safe
 from starskel.decomposition.pieces import Decomposition
 from starskel.errors import StarskelError, told
 from starskel.polar import as_complex
 from starskel.task import Task
 
-MARGINS = (1 / 32, 1 / 8, 1 / 3)
-"""By how much a gap is widened, in time, where no bridge is found over it as it is."""
+MARGINS = (1 / 32, 1 / 8, 1 / 3, 1.0)
+"""By how much a gap is widened, in time, where no bridge is found over it as it is; at last it is the whole."""
+
+WORK = 150_000
+"""What following may cost before the next way is tried, in vertices of frames."""
 
 
 class Way(StrEnum):
@@ -39,18 +42,21 @@ class Repair:
         The frames to stay near to.
     pull : Pull
         What keeps them simple.
+    resisted : set of tuples
+        From when to when no bridge was found.
     """
 
     guide: Guide
     pull: Pull
+    resisted: set[tuple[float, float]] = field(default_factory=set)
 
-    def bridged(self, chains: list[Chain], task: Task) -> Chain | None:
-        """Bridge all gaps, with ever wider margins, and at last the whole time; None if one resists."""
+    def narrowed(self, chains: list[Chain], task: Task) -> list[Chain]:
+        """Bridge gaps, with ever wider margins; those that resist stay."""
         for number, margin in enumerate(MARGINS):
-            chains = self._narrowed(chains, margin, task.part(number / 4, (number + 1) / 4))
+            chains = self._narrowed(chains, margin, task.part(number / len(MARGINS), 1))
             if len(chains) == 1:
-                return chains[0]
-        return self._bridge(chains[0][0], chains[-1][-1], task.part(3 / 4, 1))
+                break
+        return chains
 
     def _narrowed(self, chains: list[Chain], margin: float, task: Task) -> list[Chain]:
         """Bridge gaps, each widened by a margin; those that resist stay."""
@@ -60,8 +66,12 @@ class Repair:
         for at, chain in enumerate(chains[1:]):
             left = [key for key in done[-1] if key.t <= done[-1][-1].t - margin] or done[-1][:1]
             right = [key for key in chain if key.t >= chain[0].t + margin] or chain[-1:]
-            bridge = self._bridge(left[-1], right[0], task.part(at * share, (at + 1) * share))
+            span = left[-1].t, right[0].t
+            bridge = None
+            if span not in self.resisted:
+                bridge = self._bridge(left[-1], right[0], task.part(at * share, (at + 1) * share))
             if bridge is None:
+                self.resisted.add(span)
                 done.append(chain)
             else:
                 done[-1] = [*left[:-1], *bridge, *right[1:]]
@@ -97,15 +107,17 @@ def path(decomposition: Decomposition, guide: Guide, task: Task) -> tuple[Chain,
     source, target = decomposition.pair.source, decomposition.pair.target
     ends = as_complex(source), as_complex(target)
     room = Room(ends, KEPT * metric.size)
-    chains = chains_of(source, target, guide, room.links, task.part(0, 0.1))
-    if len(chains) == 1:
-        return chains[0], Way.AS_IT_IS
-    keys = Repair(guide, Pull(metric, ends, room.links)).bridged(chains, task.part(0.1, 0.7))
-    if keys is not None:
-        return keys, Way.REPAIRED
-    chains = chains_of(source, target, guide, safe, task.part(0.7, 0.8))
-    if len(chains) == 1:
-        return chains[0], Way.AS_IT_IS
+    chains = [[Key(0.0, source)], [Key(1.0, target)]]
+    way = Way.AS_IT_IS
+    for kept, part in ((room, task.part(0.05, 0.4)), (None, task.part(0.4, 0.7))):
+        pull = Pull(metric, ends, kept, Allowance(WORK))
+        chains = filled(chains, guide, pull.linked, part.part(0, 0.2))
+        if len(chains) > 1:
+            narrower = Repair(guide, pull).narrowed(chains, part.part(0.2, 1))
+            way = way if len(narrower) == len(chains) else Way.REPAIRED
+            chains = narrower
+        if len(chains) == 1:
+            return chains[0], way
     return _by_convex_combination(decomposition, metric, task.part(0.8, 1)), Way.CONVEX
 
 
@@ -113,14 +125,15 @@ def _by_convex_combination(decomposition: Decomposition, metric: Metric, task: T
     """Take the frames of a morph that never crosses itself, so densely that all links are safe."""
     pair = decomposition.pair
     morph = convex_combination_of(surroundings_of(decomposition, task.part(0, 0.5)), len(pair))
-    chains = chains_of(pair.source, pair.target, morph.frames, safe, task.part(0.5, 0.8))
+    ends = Key(0.0, pair.source), Key(1.0, pair.target)
+    chains = chains_between(*ends, morph.frames, safe, task.part(0.5, 0.8))
     if len(chains) == 1:
         return chains[0]
-    ends = as_complex(pair.source), as_complex(pair.target)
-    keys = Repair(morph.frames, Pull(metric, ends, safe)).bridged(chains, task.part(0.8, 1))
-    if keys is None:
+    pull = Pull(metric, (as_complex(pair.source), as_complex(pair.target)), None, Allowance(WORK))
+    chains = Repair(morph.frames, pull).narrowed(chains, task.part(0.8, 1))
+    if len(chains) > 1:
         raise StarskelError(
             told("no blend without crossings was found: a shape is all but as narrow as rounding"),
             told("widen its narrowest parts, or add marks"),
         )
-    return keys
+    return chains[0]

@@ -5,7 +5,7 @@ One of the two followers often gets stuck on the wrong side of an obstacle, seld
 
 import numpy as np
 
-from starskel.blending.certified.keys import Chain, Guide, Key, Linked
+from starskel.blending.certified.keys import Chain, Guide, Key, Linked, frames_at
 from starskel.blending.certified.tracking import Pull, Track
 from starskel.predicates import Floats
 from starskel.task import Task
@@ -16,14 +16,19 @@ MOMENTS = 64
 LEAST_MOMENTS = 24
 """The least number of moments over any stretch of it."""
 
+DETOUR = 1.1
+"""A way that is longer than that wanted by no more than this factor is not compared with others."""
+
 
 def bridged(before: Key, after: Key, guide: Guide, pull: Pull, task: Task) -> Chain | None:
     """Give a chain of safe links from one key to another, near a guide's frames; None if none is found."""
     count = max(LEAST_MOMENTS, int(np.ceil(MOMENTS * (after.t - before.t))))
     times = np.linspace(before.t, after.t, count + 1)
-    wanted = guide(times)
+    wanted = frames_at(times, guide, len(before.frame), task)
     wanted[0], wanted[-1] = before.frame, after.frame
     ahead = pull.track(wanted, task.part(0, 0.5))
+    if ahead.ways[-1] < DETOUR * _way(wanted) and pull.linked(ahead.places[-1], after.frame):
+        return _retimed([*ahead.frames, after.frame], times[[*ahead.moments(count), count]])
     back = pull.track(wanted[::-1], task.part(0.5, 1))
     meeting = _meeting(ahead, back, pull.linked)
     if meeting is None:
@@ -41,6 +46,10 @@ def _meeting(ahead: Track, back: Track, linked: Linked) -> int | None:
         if linked(ahead.places[k], back.places[-1 - k]):
             return int(k)
     return None
+
+
+def _way(frames: Floats) -> float:
+    return float(np.sqrt((np.diff(frames, axis=0) ** 2).mean(axis=(1, 2))).sum())
 
 
 def _retimed(frames: list[Floats], moments: Floats) -> Chain:

@@ -1,20 +1,28 @@
 """The room that vertices and edges are to keep: more than not to touch, where the shapes allow it."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
-from starskel.blending.certified.barrier import contacts
-from starskel.certificate import near_pairs, safe
+from starskel.certificate import meet, near_pairs, seen_ends
 from starskel.clearance import nearer_pairs, stay_clear
 from starskel.polar import as_complex
-from starskel.predicates import Complex, Floats
+from starskel.predicates import Complex, Floats, Indices
 
 KEPT = 1e-3
 """The distance to be kept, as a part of the size."""
 
 SHARE = 0.25
 """It is no more than this part of the pair's distance in the source and in the target."""
+
+
+class Contact(NamedTuple):
+    """Of vertices and edges: distances, directions (edge to vertex), how far along the edge is nearest."""
+
+    distance: Floats
+    direction: Complex
+    share: Floats
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,14 +42,30 @@ class Room:
 
     def links(self, before: Floats, after: Floats) -> bool:
         """Tell whether an even motion from one frame to another is safe, with room."""
-        return self._roomy(as_complex(before), as_complex(after)) and safe(before, after)
+        pairs = near_pairs(as_complex(before), as_complex(after), self.kept)
+        return all(
+            self._roomy(as_complex(before), as_complex(after), *near) and not meet(before, after, *near)
+            for near in pairs
+        )
 
-    def _roomy(self, before: Complex, after: Complex) -> bool:
-        for pairs in near_pairs(before, after, self.kept):
-            vertex, edge = nearer_pairs(before, after, *pairs, self.kept)
-            floors = np.full(len(vertex), self.kept)
-            for end in self.ends:
-                floors = np.minimum(floors, SHARE * contacts(end, vertex, edge).distance)
-            if not stay_clear(before, after, vertex, edge, floors):
-                return False
-        return True
+    def floors(self, vertex: Indices, edge: Indices) -> Floats:
+        """Give the distances that pairs are to keep."""
+        floors = np.full(len(vertex), self.kept)
+        for end in self.ends:
+            floors = np.minimum(floors, SHARE * contacts(end, vertex, edge).distance)
+        return floors
+
+    def _roomy(self, before: Complex, after: Complex, vertex: Indices, edge: Indices) -> bool:
+        vertex, edge = nearer_pairs(before, after, vertex, edge, self.kept)
+        return stay_clear(before, after, vertex, edge, self.floors(vertex, edge))
+
+
+def contacts(frame: Complex, vertex: Indices, edge: Indices) -> Contact:
+    """Measure pairs of a vertex and an edge."""
+    p, q = seen_ends(frame, vertex, edge)
+    along = q - p
+    squared = along.real**2 + along.imag**2
+    share = np.clip(-(p.real * along.real + p.imag * along.imag) / np.where(squared > 0, squared, 1.0), 0, 1)
+    away = -(p + share * along)
+    distance = np.maximum(np.abs(away), np.finfo(np.float64).tiny)
+    return Contact(distance, away / distance, share)

@@ -15,6 +15,8 @@ from scipy.sparse.linalg import splu
 from starskel.blending.certified.barrier import Barrier
 from starskel.blending.certified.keys import Linked, farthest
 from starskel.blending.certified.metric import Metric
+from starskel.blending.certified.room import Room
+from starskel.certificate import safe
 from starskel.polar import as_complex, as_points
 from starskel.predicates import Complex, Floats, Indices
 from starskel.task import Task
@@ -30,6 +32,28 @@ HALVINGS = 5
 
 SETTLED = 1e-4
 """A step shorter than this part of the size, at every vertex, ends a moment."""
+
+
+LAID_OUT = 100
+"""What a step costs besides its vertices, in vertices."""
+
+
+@dataclass
+class Allowance:
+    """Work that may still be done: counted, as time would make the outcome depend on the machine.
+
+    Attributes
+    ----------
+    left : int
+        Steps, each as many as its vertices and `LAID_OUT`.
+    """
+
+    left: int
+
+    def take(self, n: int) -> bool:
+        """Take what a step of n vertices costs; tell whether there was so much."""
+        self.left -= n + LAID_OUT
+        return self.left >= 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,13 +100,21 @@ class Pull:
     metric : Metric
     met : tuple of (n,) complex arrays
         Frames where nothing pushes.
-    linked : Linked
-        What is asked of every step.
+    room : Room, optional
+        What is to be kept; without, steps are to be safe, no more.
+    allowance : Allowance
+        What all tracks together may cost; without, they stay where they are.
     """
 
     metric: Metric
     met: tuple[Complex, ...]
-    linked: Linked
+    room: Room | None
+    allowance: Allowance
+
+    @property
+    def linked(self) -> Linked:
+        """What is asked of every step."""
+        return self.room.links if self.room else safe
 
     def track(self, wanted: Floats, task: Task) -> Track:
         """Follow (k, n, 2) frames from the first on."""
@@ -97,9 +129,14 @@ class Pull:
         return replace(self, met=(*self.met, *frames))
 
     def _towards(self, now: Floats, goal: Floats, task: Task) -> Iterator[Floats]:
-        barrier = Barrier.near(as_complex(now), self.met, self.metric.size)
+        """Give frames ever nearer to a goal, or as near as the barrier and the allowance let them."""
+        if self.allowance.left <= 0:
+            return
+        barrier = Barrier.near(as_complex(now), self.met, self.metric.size, self.room)
         for _ in range(STEPS):
             task.reach(0)
+            if not self.allowance.take(len(now)):
+                return
             step = self._step(as_complex(now), as_complex(goal), barrier)
             after = self._taken(now, goal, step, barrier)
             if after is None:

@@ -8,7 +8,7 @@ import shapely
 
 from starskel.blending.certified import CertifiedBlend, Way
 from starskel.blending.certified.convex_combination import convex_combination_of
-from starskel.blending.certified.keys import chains_of
+from starskel.blending.certified.keys import Key, chains_between
 from starskel.blending.certified.passage import passages
 from starskel.blending.certified.surroundings import SQUARE, surroundings_of
 from starskel.blending.mesh import triangle_areas
@@ -139,14 +139,15 @@ def test_the_last_resort_leads_from_source_to_target_without_crossing(name):
     pair, morph = known.pair, morph_of(known)
     ends = morph.frames(np.array([0.0, 1.0]))
     np.testing.assert_allclose(ends, [pair.source, pair.target], atol=1e-9 * size_of(pair))
-    chains = chains_of(pair.source, pair.target, morph.frames, safe, UNWATCHED)
+    start, end = Key(0.0, pair.source), Key(1.0, pair.target)
+    chains = chains_between(start, end, morph.frames, safe, UNWATCHED)
     assert len(chains) == 1
     assert first_unsafe(np.stack([key.frame for key in chains[0]])) is None
 
 
 @pytest.mark.usefixtures("_straight")
 def test_the_last_resort_is_taken_where_nothing_else_helps(monkeypatch):
-    monkeypatch.setattr("starskel.blending.certified.path.Repair.bridged", lambda *_: None)
+    monkeypatch.setattr("starskel.blending.certified.path.Repair.narrowed", lambda _, chains, *__: chains)
     made = CertifiedBlend(hard(HARD[0]))
     assert made.how is Way.CONVEX
     assert first_unsafe(made.keys) is None

@@ -20,7 +20,7 @@ TIMES = np.linspace(0, 1, 103)
 
 def mesh_for(name):
     decomposition = decomposition_of(name)
-    return mesh_of(fans_of(decomposition, Task()), len(decomposition.pair))
+    return mesh_of(fans_of(decomposition, Task()))
 
 
 def affine_maps(source, target):

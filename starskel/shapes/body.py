@@ -1,0 +1,100 @@
+"""One part on its way: the blend of its rows, in a frame that may turn along with the part."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from starskel.blending.blend import blend
+from starskel.blending.frames import Blend, row_masses
+from starskel.blending.pieces import PieceBlend
+from starskel.blending.vertex import VertexBlend
+from starskel.correspondence import Correspondence
+from starskel.errors import StarskelError
+from starskel.polar import as_complex, as_points
+from starskel.predicates import Complex, Floats
+from starskel.shapes.correspondence import PartPair
+from starskel.shapes.regions import decompose_region
+from starskel.task import Task
+
+MOST_TURN = np.pi / 2
+"""Parts that turn by more are blended as if they did not, and turned: so no method mistakes the way."""
+
+
+NEEDING_PIECES = ("star-skeleton", "stitched", "rigid", "certified")
+"""The methods that stand on star pieces."""
+
+
+@dataclass(frozen=True, eq=False)
+class Body:
+    """A part and the blend of its rows.
+
+    Attributes
+    ----------
+    part : PartPair
+    blend : Blend
+        Of the part's pair, the target turned back by the rotation, round its middle.
+    rotation : float
+        By how much the frame turns in which the blend is.
+    """
+
+    part: PartPair
+    blend: Blend
+    rotation: float = 0.0
+
+    def moved(self, ts: Floats) -> tuple[Complex, Complex]:
+        """Give the rows relative to the part's root, (times, n), and where that is in the blend, (times,)."""
+        rows = as_complex(self.blend.frames(ts))
+        roots = self._roots(ts, rows)
+        turned = np.exp(1j * self.rotation * ts)[:, None]
+        return (rows - roots[:, None]) * turned, roots
+
+    @property
+    def root_ends(self) -> tuple[complex, complex]:
+        """Where the root is in source and target."""
+        first, last = self.moved(np.array([0.0, 1.0]))[1].tolist()
+        middle = complex(as_complex(row_masses(self.part.pair) @ self.part.pair.target))
+        return first, middle + (last - middle) * complex(np.exp(1j * self.rotation))
+
+    def _roots(self, ts: Floats, rows: Complex) -> Complex:
+        """Give the star-skeleton's root, or where there is none the middle of all rings."""
+        if isinstance(self.blend, PieceBlend):
+            row = len(self.blend.decomposition.source) + self.blend.skeleton.root
+            return as_complex(self.blend.inside(ts)[:, row])
+        return np.asarray((rows * row_masses(self.part.pair)).sum(axis=1))
+
+
+def prepared(part: PartPair, method: str, rotation: float, settled: bool, task: Task) -> Body:
+    """Blend a part that turns by this rotation, whole turns included.
+
+    Raises
+    ------
+    StarskelError
+        Where the part has holes that the method cannot take.
+    Cancelled
+        If the task is told to stop.
+    """
+    turning = part.alone or (abs(rotation) > MOST_TURN and method != "vertex")
+    pair = _turned_back(part.pair, rotation) if turning else part.pair
+    made = VertexBlend(pair) if part.alone else _blend(pair, method, settled, task)
+    return Body(part, made, rotation if turning else 0.0)
+
+
+def _turned_back(pair: Correspondence, rotation: float) -> Correspondence:
+    rows = as_complex(pair.target)
+    middle = row_masses(pair) @ rows
+    return replace(pair, target=as_points(middle + (rows - middle) * np.exp(-1j * rotation)))
+
+
+def _blend(pair: Correspondence, method: str, settled: bool, task: Task) -> Blend:
+    if method == "certified" and len(pair.starts) > 1:
+        raise StarskelError("a certified blend takes no holes", "choose another method, as stitched")
+    known = decompose_region(pair, task.part(0, 0.4)) if method in NEEDING_PIECES else None
+    rest = task.part(0.4, 1)
+    return blend(
+        pair,
+        method=method,
+        decomposition=known,
+        settled=settled,
+        progress=rest.reach,
+        should_stop=task.should_stop,
+    )

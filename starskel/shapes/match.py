@@ -1,0 +1,127 @@
+"""Match two shapes: ring for ring, with points for those without a partner."""
+
+from collections.abc import Iterable
+from typing import Any, overload
+
+import numpy as np
+import shapely
+
+from starskel.correspondence import Correspondence, PolygonLike
+from starskel.correspondence import match as match_polygons
+from starskel.errors import InvalidMarks, InvalidPolygon
+from starskel.polygon import Polygon
+from starskel.shapes.correspondence import ShapeCorrespondence
+from starskel.shapes.given import Given, Marks, Places
+from starskel.shapes.matching import matched_shapes
+from starskel.shapes.pairing import Link, checked_pairing, suggest_pairing
+from starskel.shapes.shape import Shape, ShapeLike
+from starskel.task import ShouldStop, Task
+
+
+@overload
+def match(
+    source: PolygonLike,
+    target: PolygonLike,
+    marks: Iterable[tuple[int, int]] = (),
+    *,
+    should_stop: ShouldStop | None = None,
+) -> Correspondence: ...
+
+
+@overload
+def match(
+    source: Shape | shapely.MultiPolygon,
+    target: ShapeLike,
+    marks: Marks = (),
+    *,
+    pairing: Iterable[Link] | None = None,
+    places: Places | None = None,
+    should_stop: ShouldStop | None = None,
+) -> ShapeCorrespondence: ...
+
+
+@overload
+def match(
+    source: ShapeLike,
+    target: Shape | shapely.MultiPolygon,
+    marks: Marks = (),
+    *,
+    pairing: Iterable[Link] | None = None,
+    places: Places | None = None,
+    should_stop: ShouldStop | None = None,
+) -> ShapeCorrespondence: ...
+
+
+def match(  # noqa: PLR0913 -- all but the first three are seldom given
+    source: Any,
+    target: Any,
+    marks: Any = (),
+    *,
+    pairing: Iterable[Link] | None = None,
+    places: Places | None = None,
+    should_stop: ShouldStop | None = None,
+) -> Correspondence | ShapeCorrespondence:
+    """Complete a partial correspondence between two polygons, or between two shapes.
+
+    Two polygons are matched as by `starskel.correspondence.match`. Where one of them is a `Shape`, a shapely
+    MultiPolygon or a shapely Polygon with holes, both are shapes. Then the pairing says which rings become
+    which, and the rings of each pair are matched as polygons. Every ring must be in some pair:
+
+    - (i, j) pairs ring i of the source with ring j of the target, outlines with outlines and holes with holes
+      of these;
+    - (i, None) lets ring i shrink to a point, and (None, j) lets ring j grow from one. A part takes its holes
+      along. The point is the place given, else where the ring would be if it moved with its part, or with
+      the part nearest to it;
+    - an outline in several pairs is cut into as many parts, along straight cuts.
+
+    Parameters
+    ----------
+    source, target : Polygon, Shape, shapely Polygon or MultiPolygon, (n, 2) array-like
+    marks : iterable of (int, int); for shapes a sequence of these
+        Vertices that correspond, as indices of the points given, from 0. For shapes one list for each ring
+        of the source, with its partner; or none at all.
+    pairing : iterable of (int or None, int or None), optional
+        Which rings become which; else as `suggest_pairing` proposes.
+    places : mapping from pairs to (x, y), optional
+        For rings without a partner the point in the other shape.
+    should_stop : callable, optional
+        Asked often whether to give up.
+
+    Returns
+    -------
+    Correspondence for polygons, ShapeCorrespondence for shapes
+
+    Raises
+    ------
+    InvalidPolygon
+        Where the points form no simple polygon, or the rings no shape.
+    InvalidMarks
+        Where marks, pairs or places contradict the shapes or each other.
+    Cancelled
+        If ``should_stop`` answered True.
+    """
+    if is_shape(source) or is_shape(target):
+        task = Task(should_stop=should_stop)
+        task.reach(0)
+        sides = _side(source, "source"), _side(target, "target")
+        links = checked_pairing(*sides, suggest_pairing(*sides) if pairing is None else pairing)
+        return matched_shapes(Given.checked(sides, links, marks, places or {}), task)
+    if pairing is not None or places is not None:
+        raise InvalidMarks("two polygons need no pairing", "give a Shape of each")
+    return match_polygons(source, target, marks, should_stop=should_stop)
+
+
+def is_shape(given: object) -> bool:
+    """Tell whether this must be taken for a shape, since it is not for certain one polygon."""
+    if isinstance(given, shapely.Polygon):
+        return bool(given.interiors)
+    return isinstance(given, Shape | shapely.MultiPolygon)
+
+
+def _side(given: PolygonLike | ShapeLike, name: str) -> Shape:
+    try:
+        if isinstance(given, Shape | Polygon | shapely.Geometry):
+            return Shape(given)
+        return Shape([given] if np.ndim(given[0]) == 1 else given)  # type: ignore[index]  # a ring, or rings
+    except InvalidPolygon as error:
+        raise InvalidPolygon(f"{name}: {error.what}", error.mend, error.vertices, error.place) from None

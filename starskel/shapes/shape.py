@@ -1,0 +1,186 @@
+"""Shape: several polygons, some of them holes of others."""
+
+from collections.abc import Iterable, Sequence
+from typing import TypeAlias, Union
+
+import numpy as np
+import shapely
+
+from starskel.correspondence import PolygonLike
+from starskel.errors import InvalidPolygon
+from starskel.polygon import Polygon
+from starskel.predicates import segments_meet
+
+ShapeLike: TypeAlias = Union["Shape", shapely.Geometry, Polygon, Iterable[PolygonLike]]
+Part: TypeAlias = tuple[PolygonLike, Sequence[PolygonLike]]
+
+
+class Shape:
+    """A shape of several polygons, with holes.
+
+    A ring that lies inside another one is a hole of it, a ring inside a hole a part again, and so on: the
+    even-odd rule. Rings that cross each other are parts that overlap, one drawn over the other. Parts that
+    lie on another one and are no holes are given by `Shape.of_parts`.
+
+    Parameters
+    ----------
+    rings : iterable of Polygon or (n, 2) array-like
+        The rings in any order, wound either way; or a shapely Polygon or MultiPolygon, a Polygon, a Shape.
+
+    Attributes
+    ----------
+    rings : tuple of Polygon
+        All rings in the order given, each counter-clockwise.
+    outer : tuple of int
+        For each ring that is a hole the ring that it is a hole of, -1 for those that are outlines.
+
+    Raises
+    ------
+    InvalidPolygon
+        Naming the ring, and the vertices and the place of the fault.
+    """
+
+    rings: tuple[Polygon, ...]
+    outer: tuple[int, ...]
+
+    def __init__(self, rings: ShapeLike) -> None:
+        if isinstance(rings, Shape):
+            self.rings, self.outer = rings.rings, rings.outer
+        elif isinstance(rings, shapely.Geometry):
+            self.rings, self.outer = _of_parts(_shapely_parts(rings))
+        else:
+            given = [rings] if isinstance(rings, Polygon) else list(rings)
+            self.rings = tuple(_ring(ring, number) for number, ring in enumerate(given))
+            self.outer = _nested(self.rings)
+        _check(self)
+
+    @classmethod
+    def of_parts(cls, parts: Iterable[Part]) -> "Shape":
+        """Give the shape of parts, each an outline and its holes; parts may lie on each other.
+
+        Raises
+        ------
+        InvalidPolygon
+            As for the class.
+        """
+        made = cls.__new__(cls)
+        made.rings, made.outer = _of_parts(parts)
+        _check(made)
+        return made
+
+    def __len__(self) -> int:
+        return len(self.rings)
+
+    def __repr__(self) -> str:
+        return f"Shape of {len(self.outlines)} parts with {len(self) - len(self.outlines)} holes"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Shape) and (self.rings, self.outer) == (other.rings, other.outer)
+
+    def __hash__(self) -> int:
+        return hash((self.rings, self.outer))
+
+    @property
+    def outlines(self) -> tuple[int, ...]:
+        """The rings that are no holes."""
+        return tuple(ring for ring, outer in enumerate(self.outer) if outer < 0)
+
+    def holes(self, outline: int) -> tuple[int, ...]:
+        """Give the rings that are holes of a ring."""
+        return tuple(ring for ring, outer in enumerate(self.outer) if outer == outline)
+
+    @property
+    def area(self) -> float:
+        """The sum of the parts' areas, less their holes, in square units."""
+        signs = [1 if outer < 0 else -1 for outer in self.outer]
+        return float(sum(sign * ring.area for sign, ring in zip(signs, self.rings, strict=True)))
+
+    def part(self, outline: int) -> shapely.Polygon:
+        """Give an outline with its holes as a shapely Polygon."""
+        holes = [self.rings[hole].vertices for hole in self.holes(outline)]
+        return shapely.Polygon(self.rings[outline].vertices, holes)
+
+    def to_shapely(self) -> shapely.MultiPolygon:
+        """Give all parts; the MultiPolygon is not valid where parts overlap."""
+        return shapely.MultiPolygon([self.part(outline) for outline in self.outlines])
+
+
+def _of_parts(parts: Iterable[Part]) -> tuple[tuple[Polygon, ...], tuple[int, ...]]:
+    rings: list[Polygon] = []
+    outer: list[int] = []
+    for outline, holes in parts:
+        own = len(rings)
+        for ring in (outline, *holes):
+            outer.append(own if len(rings) > own else -1)
+            rings.append(_ring(ring, len(rings)))
+    return tuple(rings), tuple(outer)
+
+
+def _shapely_parts(geometry: shapely.Geometry) -> Iterable[Part]:
+    for part in shapely.get_parts(geometry):
+        if not isinstance(part, shapely.Polygon) or part.is_empty:
+            raise InvalidPolygon(
+                f"a {part.geom_type} bounds no area", "give a shapely Polygon or MultiPolygon"
+            )
+        yield part.exterior, list(part.interiors)
+
+
+def _ring(given: PolygonLike, number: int) -> Polygon:
+    if isinstance(given, Polygon):
+        return given
+    try:
+        return Polygon(given)
+    except InvalidPolygon as error:
+        raise _blaming(number, error) from None
+
+
+def _blaming(number: int, error: InvalidPolygon) -> InvalidPolygon:
+    return InvalidPolygon(f"ring {number}: {error.what}", error.mend, error.vertices, error.place)
+
+
+def _nested(rings: Sequence[Polygon]) -> tuple[int, ...]:
+    """Give for each ring inside an odd number of others the smallest of these, -1 for the others."""
+    around = [
+        [k for k, other in enumerate(rings) if k != own and _inside(ring, other)]
+        for own, ring in enumerate(rings)
+    ]
+    return tuple(min(others, key=lambda k: rings[k].area) if len(others) % 2 else -1 for others in around)
+
+
+def _inside(ring: Polygon, other: Polygon) -> bool:
+    """Tell whether a ring lies wholly inside another one, without touching it."""
+    if not shapely.contains_xy(shapely.Polygon(other.vertices), *ring.vertices[0]):
+        return False
+    return ring.area < other.area and not meet(ring, other)
+
+
+def meet(first: Polygon, second: Polygon) -> bool:
+    """Tell whether two rings cross or touch each other, exactly."""
+    ends = [(ring.vertices, np.roll(ring.vertices, -1, axis=0)) for ring in (first, second)]
+    edges = [shapely.linestrings(np.stack(both, axis=1)) for both in ends]
+    i, j = shapely.STRtree(edges[1]).query(edges[0])
+    return bool(segments_meet(ends[0][0][i], ends[0][1][i], ends[1][0][j], ends[1][1][j]).any())
+
+
+def _check(shape: Shape) -> None:
+    if not shape.rings:
+        raise InvalidPolygon("a shape without rings", "give at least one")
+    for outline in shape.outlines:
+        holes = shape.holes(outline)
+        for number, hole in enumerate(holes):
+            if not _inside(shape.rings[hole], shape.rings[outline]):
+                raise InvalidPolygon(
+                    f"ring {hole}, a hole, does not lie inside ring {outline}",
+                    "move it, or give it as a part",
+                )
+            for other in holes[:number]:
+                _check_apart(shape, other, hole)
+
+
+def _check_apart(shape: Shape, first: int, second: int) -> None:
+    one, two = shape.rings[first], shape.rings[second]
+    if meet(one, two) or _inside(one, two) or _inside(two, one):
+        raise InvalidPolygon(
+            f"rings {first} and {second}, holes of one part, meet",
+            "join them to one hole, or move them apart",
+        )

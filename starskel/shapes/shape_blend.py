@@ -1,0 +1,93 @@
+"""What a blend of two shapes is: all parts on their way, joined by the meta-skeleton."""
+
+import numpy as np
+import shapely
+from numpy.typing import ArrayLike
+
+from starskel.blending.frames import checked_times, with_exact_ends
+from starskel.polar import as_points
+from starskel.predicates import Floats
+from starskel.shapes.body import Body
+from starskel.shapes.correspondence import ShapeCorrespondence
+from starskel.shapes.meta_skeleton import MetaSkeleton, Tree, meta_skeleton_of
+
+
+class ShapeBlend:
+    """A blend of two shapes: for every t the rings of all pairs, in the order of the pairing.
+
+    Attributes
+    ----------
+    pair : ShapeCorrespondence
+    method : str
+    bodies : tuple of Body
+        The parts that move as one, each with its blend: a part with its holes, or by the method "edge-angle"
+        each ring.
+    meta_skeleton : MetaSkeleton or None
+        What joins them; None where each part is interpolated separately.
+    """
+
+    def __init__(
+        self, pair: ShapeCorrespondence, method: str, bodies: tuple[Body, ...], tree: Tree | None
+    ) -> None:
+        self.pair, self.method, self.bodies = pair, method, bodies
+        self.meta_skeleton: MetaSkeleton | None = None
+        if tree is not None:
+            roots = np.array([body.root_ends for body in bodies]).T
+            self.meta_skeleton = meta_skeleton_of(tree, roots)
+        ends = np.array([0.0, 1.0])
+        self._errors = [rows - body.part.ends for body, rows in zip(bodies, self._rows(ends), strict=True)]
+        self._places = {
+            link: (number, ring)
+            for number, body in enumerate(bodies)
+            for ring, link in enumerate(body.part.links)
+        }
+
+    def at(self, t: float) -> list[Floats]:
+        """Give the rings at t, counter-clockwise (n, 2) arrays; of rings that are a point all rows are equal.
+
+        Raises
+        ------
+        StarskelError
+            Where t is not a number from 0 to 1.
+        """
+        return self.frames([t])[0]
+
+    def frames(self, ts: ArrayLike) -> list[list[Floats]]:
+        """Give the rings at each of k times, as `at` does.
+
+        Raises
+        ------
+        StarskelError
+            Where a time is not a number from 0 to 1.
+        """
+        times = checked_times(ts)
+        rings = self.rings(times)
+        return [[ring[k] for ring in rings] for k in range(len(times))]
+
+    def rings(self, ts: ArrayLike) -> list[Floats]:
+        """Give each ring at all of k times, a (k, n, 2) array."""
+        times = checked_times(ts)
+        own = [
+            body.part.rings(with_exact_ends(rows, times, errors))
+            for body, rows, errors in zip(self.bodies, self._rows(times), self._errors, strict=True)
+        ]
+        return [own[body][ring] for body, ring in (self._places[link] for link in self.pair.pairing)]
+
+    def shape_at(self, t: float) -> shapely.MultiPolygon:
+        """Give the parts at t that have an area, with their holes; not valid where rings meet."""
+        rings = self.at(t)
+        whole = [len(np.unique(ring, axis=0)) > 2 for ring in rings]
+        return shapely.MultiPolygon(
+            [
+                (ring, [rings[k] for k, outer in enumerate(self.pair.outer) if outer == number and whole[k]])
+                for number, ring in enumerate(rings)
+                if self.pair.outer[number] < 0 and whole[number]
+            ]
+        )
+
+    def _rows(self, ts: Floats) -> list[Floats]:
+        moved = [body.moved(ts) for body in self.bodies]
+        if self.meta_skeleton is None:
+            return [as_points(rows + roots[:, None]) for rows, roots in moved]
+        places = self.meta_skeleton.places(ts)
+        return [as_points(rows + place[:, None]) for (rows, _), place in zip(moved, places.T, strict=True)]

@@ -1,0 +1,152 @@
+"""Blends of shapes: exact ends, holes inside, rigid motions, exchange; shapely is the judge."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+import shapely
+
+import starskel
+from starskel import METHODS, Shape, StarskelError
+from starskel.decomposition.verify import faults
+from tests.starskel.shapes.drawn import COLON, EIGHT, FACE, LETTERS, A, B, I, moved
+
+TURNING = tuple(method for method in METHODS if method not in ("vertex", "certified"))
+HOLED = tuple(method for method in METHODS if method != "certified")
+TIMES = np.linspace(0, 1, 41)
+
+
+@cache
+def blend_of(name: str, method: str) -> starskel.ShapeBlend:
+    source, target = LETTERS[name]
+    return starskel.blend(Shape(source), Shape(target), method=method)
+
+
+def farthest(first, second):
+    """The greatest distance between two sets of rings, ring by ring."""
+    return max(
+        shapely.hausdorff_distance(shapely.LinearRing(a), shapely.LinearRing(b))
+        for a, b in zip(first, second, strict=True)
+    )
+
+
+@pytest.mark.parametrize("method", HOLED)
+@pytest.mark.parametrize("name", LETTERS)
+def test_the_ends_are_the_shapes_exactly(name, method):
+    blend = blend_of(name, method)
+    for t, side, shape in ((0, 0, blend.pair.source), (1, 1, blend.pair.target)):
+        for ring, link in zip(blend.at(t), blend.pair.pairing, strict=True):
+            if link[side] is None:
+                assert (ring == ring[0]).all() or np.ptp(ring, axis=0).max() < 1e-12
+            else:
+                assert farthest([ring], [shape.rings[link[side]].vertices]) < 1e-9 * 100
+
+
+@pytest.mark.parametrize("name", LETTERS)
+def test_stitched_letters_keep_their_holes_inside_and_apart(name):
+    blend = blend_of(name, "stitched")
+    for t in TIMES:
+        assert all(part.is_valid for part in blend.shape_at(t).geoms)
+
+
+@pytest.mark.parametrize("name", LETTERS)
+def test_stitched_parts_never_overlap_more_than_at_the_ends(name):
+    blend = blend_of(name, "stitched")
+    overlaps = [overlap(blend.shape_at(t)) for t in TIMES]
+    assert max(overlaps) <= max(overlaps[0], overlaps[-1]) + 1e-6
+
+
+def overlap(shape: shapely.MultiPolygon) -> float:
+    return sum(part.area for part in shape.geoms) - shapely.union_all(shape.geoms).area
+
+
+@pytest.mark.parametrize("name", LETTERS)
+def test_stitched_areas_hardly_drift(name):
+    blend = blend_of(name, "stitched")
+    areas = np.array([blend.shape_at(t).area for t in TIMES])
+    expected = (1 - TIMES) * areas[0] + TIMES * areas[-1]
+    assert np.abs(areas / expected - 1).max() < 0.1
+
+
+@pytest.mark.parametrize("name", LETTERS)
+def test_the_star_pieces_of_regions_are_proven(name):
+    for body in blend_of(name, "star-skeleton").bodies:
+        if body.blend.decomposition is not None:
+            assert faults(body.blend.decomposition) == []
+
+
+@pytest.mark.parametrize("method", HOLED)
+@pytest.mark.parametrize("rings", [A, EIGHT, I, FACE, COLON])
+def test_a_shape_to_itself_stands_still(rings, method):
+    blend = starskel.blend(Shape(rings), Shape(rings), method=method)
+    for t in (0.2, 0.5, 0.9):
+        assert farthest(blend.at(t), rings) < 1e-9 * 100
+
+
+@pytest.mark.parametrize("method", TURNING)
+@pytest.mark.parametrize("angle", [0.4, -1.3, 2.8, 3.1])
+@pytest.mark.parametrize("rings", [B, I, FACE])
+def test_a_moved_and_turned_copy_moves_rigidly(rings, angle, method):
+    blend = starskel.blend(Shape(rings), Shape(moved(rings, angle, 40, -25)), method=method)
+    start = np.concatenate(blend.at(0))
+    gaps = np.abs(np.subtract.outer(start @ [1, 1j], start @ [1, 1j]))
+    for t in (0.25, 0.5, 0.75):
+        rows = np.concatenate(blend.at(t)) @ [1, 1j]
+        assert np.abs(np.abs(np.subtract.outer(rows, rows)) - gaps).max() < 1e-6 * 100
+
+
+@pytest.mark.parametrize("method", HOLED)
+@pytest.mark.parametrize("name", ["A-R", "B-8", "i-j", "A-T", "T-8", "T-i"])
+def test_exchanged_shapes_blend_backwards(name, method):
+    source, target = LETTERS[name]
+    there = blend_of(name, method)
+    back = starskel.blend(Shape(target), Shape(source), method=method)
+    ways = {link[::-1]: ring for link, ring in zip(back.pair.pairing, back.at(0.7), strict=True)}
+    again = [ways[link] for link in there.pair.pairing]
+    assert farthest(there.at(0.3), again) < 1e-6 * 100
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_parts_turn_together_by_the_meta_skeleton_and_not_without(method):
+    turned = moved(I, 2.5, 10, 5)
+    pair = starskel.match(Shape(I), Shape(turned), [[(k, k) for k in range(4)], [(k, k) for k in range(12)]])
+    gaps = []
+    for joined in (True, False):
+        stem, dot = (ring.mean(axis=0) for ring in starskel.blend(pair, method=method, joined=joined).at(0.5))
+        gaps.append(np.hypot(*(stem - dot)))
+    assert gaps[0] == pytest.approx(55, abs=1)
+    assert gaps[1] < 40
+
+
+def test_whole_turns_are_made_by_all_parts():
+    still = starskel.blend(Shape(I), Shape(I), method="stitched", turns=1)
+    assert farthest(still.at(1), I) < 1e-9 * 100
+    stem, dot = (ring.mean(axis=0) for ring in still.at(0.5))
+    np.testing.assert_allclose(dot - stem, (0, -55), atol=1e-6)
+
+
+def test_frames_are_lists_of_rings():
+    blend = blend_of("B-8", "vertex")
+    frames = blend.frames([0, 0.5])
+    assert [len(frame) for frame in frames] == [3, 3]
+    assert blend.pair.outer == (-1, 0, 0)
+    np.testing.assert_array_equal(frames[1][2], blend.at(0.5)[2])
+
+
+def test_a_certified_blend_takes_no_holes_and_says_so():
+    with pytest.raises(StarskelError, match="takes no holes"):
+        starskel.blend(Shape(A), Shape(A), method="certified")
+    assert farthest(starskel.blend(Shape(I), Shape(I), method="certified").at(0.5), I) < 1e-9 * 100
+
+
+def test_polygons_are_blended_as_ever():
+    ring = I[0]
+    assert starskel.blend(ring, ring).at(0.5).shape == (4, 2)
+    with pytest.raises(StarskelError, match="need no pairing"):
+        starskel.blend(ring, ring, joined=False)
+
+
+@pytest.mark.parametrize("given", [shapely.Polygon(A[0], [A[1]]), shapely.MultiPolygon([(A[0], [A[1]])])])
+def test_shapely_goes_in_by_itself(given):
+    blend = starskel.blend(given, given, method="vertex")
+    assert blend.shape_at(0.5).symmetric_difference(given).area < 1e-6
