@@ -56,6 +56,7 @@ def window(qtbot: QtBot) -> Iterator[MainWindow]:
             yield window
     finally:
         window.session.new()  # with nothing unsaved, closing asks nothing
+        application.clipboard().clear()  # the platform without a screen would free it after Python has gone
         window.close()
         window.deleteLater()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
