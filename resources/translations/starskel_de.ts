@@ -1093,6 +1093,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>about %n seconds left</source>
+        <translation>
+            <numerusform>noch etwa %n Sekunde</numerusform>
+            <numerusform>noch etwa %n Sekunden</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n marks went with this edit. Undo brings them back.</source>
         <translation>
             <numerusform>%n Marke ging mit dieser Änderung verloren. „Rückgängig“ bringt sie wieder.</numerusform>
