@@ -391,6 +391,14 @@
         <source>save it as PNG or JPEG</source>
         <translation>speichern Sie es als PNG oder JPEG</translation>
     </message>
+    <message>
+        <source>the new edge would cross or touch edge {edge}</source>
+        <translation>die neue Kante würde die Kante {edge} kreuzen oder berühren</translation>
+    </message>
+    <message>
+        <source>set the vertex elsewhere</source>
+        <translation>setzen Sie den Eckpunkt woandershin</translation>
+    </message>
 </context>
 <context>
     <name>Beginning</name>

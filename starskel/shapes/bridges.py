@@ -20,11 +20,10 @@ from starskel.task import Task
 Bridge = tuple[int, int]
 """The rows where it begins and ends."""
 
-KEPT = 60
-"""So many bridges are considered between two rings, the shortest that are clear."""
-
-BREADTH = 40
-"""So many beginnings of chains are followed that have the same holes behind them."""
+WIDTHS = (60, 40), (2000, 400)
+"""How widely is sought, and how widely where that finds nothing: so many bridges between two rings, the
+shortest that are clear; and so many beginnings of chains that have the same holes behind them.
+"""
 
 APART = 0.3
 """What it costs where a chain leaves a ring just where it came to it, as a part of the size."""
@@ -48,29 +47,36 @@ def chain_of(pair: Correspondence, task: Task) -> tuple[Bridge, ...]:
     StarskelError
         If no chain of straight bridges is found.
     """
+    for kept, breadth in WIDTHS:
+        chains = _chains(pair, kept, breadth, task)
+        if chains:
+            return min(chains, key=_by_cost).bridges
+    raise StarskelError(
+        "the holes of a part cannot be joined to its outline by straight bridges that both shapes have",
+        "add vertices or marks, or pair the holes otherwise",
+    )
+
+
+def _chains(pair: Correspondence, kept: int, breadth: int, task: Task) -> list[_Chain]:
+    """Give chains through all holes, hole by hole, the cheapest beginnings followed."""
     ring_of = np.repeat(np.arange(len(pair.starts)), np.diff([*pair.starts, len(pair)]))
-    found = _bridges(pair, ring_of, task)
+    found = _bridges(pair, ring_of, kept, task)
     shares = _shares(pair, ring_of)
     crossing = _crossings(pair, [bridge for own in found.values() for _, bridge in own])
     holes = range(1, len(pair.starts))
     chains = [_Chain(0.0, (), frozenset(), 0)]
     for step in range(len(holes) + 1):
-        task.reach(0)
         longer: dict[tuple[frozenset[int], int], list[_Chain]] = {}
         for chain in chains:
+            task.reach(0)
             goals = [hole for hole in holes if hole not in chain.holes] if step < len(holes) else [0]
             for goal in goals:
                 for cost, bridge in found[chain.ring, goal]:
                     if all(frozenset((bridge, other)) not in crossing for other in chain.bridges):
                         new = _extended(chain, cost, bridge, goal, shares)
                         longer.setdefault((new.holes, goal), []).append(new)
-        chains = [c for own in longer.values() for c in sorted(own, key=_by_cost)[:BREADTH]]
-    if not chains:
-        raise StarskelError(
-            "the holes of a part cannot be joined to its outline by straight bridges that both shapes have",
-            "add vertices or marks, or pair the holes otherwise",
-        )
-    return min(chains, key=_by_cost).bridges
+        chains = [c for own in longer.values() for c in sorted(own, key=_by_cost)[:breadth]]
+    return chains
 
 
 def halves(pair: Correspondence, chain: tuple[Bridge, ...]) -> tuple[Indices, Indices]:
@@ -122,7 +128,7 @@ def _shares(pair: Correspondence, ring_of: Indices) -> Floats:
 
 
 def _bridges(
-    pair: Correspondence, ring_of: Indices, task: Task
+    pair: Correspondence, ring_of: Indices, kept: int, task: Task
 ) -> dict[tuple[int, int], list[tuple[float, Bridge]]]:
     """Give for each two rings the shortest bridges from the one to the other, with what they cost."""
     found: dict[tuple[int, int], list[tuple[float, Bridge]]] = {}
@@ -138,10 +144,10 @@ def _bridges(
             some = order[k : k + _AT_ONCE]
             clear = _clear(pair, i[some], j[some])
             own += [(float(costs[b]), (int(i[b]), int(j[b]))) for b in some[clear]]
-            if len(own) >= KEPT:
+            if len(own) >= kept:
                 break
-        found[one, two] = own[:KEPT]
-        found[two, one] = [(cost, (b, a)) for cost, (a, b) in own[:KEPT]]
+        found[one, two] = own[:kept]
+        found[two, one] = [(cost, (b, a)) for cost, (a, b) in own[:kept]]
     return found
 
 
