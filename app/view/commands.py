@@ -237,6 +237,14 @@ COMMANDS = (
         QT_TRANSLATE_NOOP("Command", "Compute all blends anew"),
         ("F5",),
     ),
+    Command(
+        "begin",
+        QT_TRANSLATE_NOOP("Command", "How to &Begin"),
+        QT_TRANSLATE_NOOP("Command", "Show in five lines how to begin"),
+        (),
+        "",
+        True,
+    ),
 )
 
 
@@ -307,6 +315,7 @@ MENUS = (
             *LANGUAGES,
         ),
     ),
+    (QT_TRANSLATE_NOOP("Command", "&Help"), ("begin",)),
 )
 """Menus in order; an empty name is a separator, and names that are no commands are submenus."""
 

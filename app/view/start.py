@@ -10,6 +10,7 @@ from PySide6.QtCore import QLocale, QObject, Qt, Signal, Slot
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from app.session import Session
+from app.view.beginning import begun
 from app.view.language import chosen, speak, spoken
 from app.view.main_window import MainWindow
 from app.view.theme import DARK, LIGHT, apply_theme
@@ -66,4 +67,6 @@ def run(path: Path | None) -> int:
     else:
         window.files.open_example(FIRST_EXAMPLE)
         window.player.play()
+        if not begun():
+            window.actions_table["begin"].trigger()
     return application.exec()

@@ -393,6 +393,57 @@
     </message>
 </context>
 <context>
+    <name>Beginning</name>
+    <message>
+        <source>Put this away; it is in the Help menu</source>
+        <translation>Schließen; steht auch im Menü Hilfe</translation>
+    </message>
+    <message>
+        <source>Put away how to begin</source>
+        <translation>Erste Schritte schließen</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>New, then set the corners of both shapes; or open an example.</source>
+        <translation>Neu, dann die Ecken beider Formen setzen; oder ein Beispiel öffnen.</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Markieren</translation>
+    </message>
+    <message>
+        <source>M, then click a vertex and the one that it becomes.</source>
+        <translation>M, dann eine Ecke anklicken und die, zu der sie wird.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>All methods side by side: does a blend cross itself?</source>
+        <translation>Alle Verfahren nebeneinander: schneidet sich ein Übergang?</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>P plays; drag the slider to any moment.</source>
+        <translation>P spielt ab; der Regler führt zu jedem Zeitpunkt.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+E writes keyframes as SVG or PostScript.</source>
+        <translation>Strg+E schreibt Schlüsselbilder als SVG oder PostScript.</translation>
+    </message>
+</context>
+<context>
     <name>Canvas</name>
     <message>
         <source>Draw shape {letter} here</source>
@@ -597,6 +648,10 @@
         <translation>De&amp;utsch</translation>
     </message>
     <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
         <source>Show frames before and after as faint outlines</source>
         <translation>Zwischenbilder davor und danach als blasse Umrisse zeigen</translation>
     </message>
@@ -711,6 +766,14 @@
     <message>
         <source>Compute all blends anew</source>
         <translation>Alle Übergänge neu berechnen</translation>
+    </message>
+    <message>
+        <source>How to &amp;Begin</source>
+        <translation>&amp;Erste Schritte</translation>
+    </message>
+    <message>
+        <source>Show in five lines how to begin</source>
+        <translation>In fünf Zeilen zeigen, wie es losgeht</translation>
     </message>
     <message>
         <source>&amp;File</source>

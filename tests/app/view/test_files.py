@@ -14,8 +14,9 @@ from PySide6.QtWidgets import (
 )
 
 from app.view import files
-from app.view.dialogs import PairDialog
+from app.view.dialogs import PairDialog, SaveDialog
 from app.view.export_dialog import ExportDialog
+from app.view.main_window import MainWindow
 from starskel.files.examples import example
 from starskel.files.pairs import ShapePair, write_pairs
 from starskel.files.project import read_project
@@ -190,6 +191,16 @@ def test_save_as_goes_to_another_file(driver: Driver, tmp_path: Path) -> None:
         driver.key(Qt.Key.Key_S, CONTROL | SHIFT)
         assert (tmp_path / name).exists()
     assert driver.session.path == tmp_path / "two.json"
+
+
+def test_what_was_typed_counts_though_the_folder_was_not_read_yet(window: MainWindow, tmp_path: Path) -> None:
+    """Qt reads folders in a thread; a person who types at once must not get the file that was suggested."""
+    (tmp_path / "one.json").write_text("kept")
+    dialog = SaveDialog(window, "Save", tmp_path / "one.json", [".json"])
+    dialog.open()
+    type_name(dialog, "two")
+    assert not dialog.isVisible()
+    assert [Path(path).name for path in dialog.selectedFiles()] == ["two.json"]
 
 
 def test_a_file_is_not_overwritten_unasked_though_its_ending_was_not_typed(
