@@ -1332,6 +1332,10 @@
         <translation>Schlüsselbilder exportieren</translation>
     </message>
     <message>
+        <source>Apart as played, with easing</source>
+        <translation>Abstände wie abgespielt, mit Zeitverlauf</translation>
+    </message>
+    <message>
         <source>Marks</source>
         <translation>Marken</translation>
     </message>

@@ -59,6 +59,7 @@ def window(qtbot: QtBot) -> Iterator[MainWindow]:
         application.clipboard().clear()  # the platform without a screen would free it after Python has gone
         window.close()
         window.deleteLater()
+        application.clipboard().clear()  # without a screen it would outlive Python, and end it with a signal
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
