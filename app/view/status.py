@@ -1,14 +1,33 @@
 """Status bar: what the user can do now, what the worker does, and a way to stop it."""
 
+from math import ceil
+from time import monotonic
+
 from PySide6.QtCore import QTimer, Slot
 from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar, QToolButton
 
 from app.session import Session
 from app.view import words
 from app.view.actions import Actions
+from app.view.counts import COUNTS
+from app.view.fitting_label import FittingLabel
 
 BLINK = 300
 """Milliseconds of work that are not worth a word."""
+
+TELLING = 2.0
+"""Seconds of work after which its pace tells how long the rest will take."""
+
+
+def seconds_left(elapsed: float, fraction: float) -> int | None:
+    """Give how many seconds of work are left, in steps of five where they are many; None while none can say.
+
+    That supposes that what is left goes on at the same pace, so it is said with an "about".
+    """
+    if elapsed < TELLING or fraction <= 0:
+        return None
+    left = elapsed * (1 - fraction) / fraction
+    return max(ceil(left), 1) if left <= 10 else 5 * ceil(left / 5)
 
 
 class Status(QStatusBar):
@@ -17,7 +36,8 @@ class Status(QStatusBar):
     def __init__(self, session: Session, actions: Actions) -> None:
         super().__init__()
         self._session = session
-        self.hint = QLabel()
+        self._begun = monotonic()
+        self.hint = FittingLabel()
         self.hint.setObjectName("hint")
         self.work = QLabel()
         self.work.setObjectName("work")
@@ -48,17 +68,23 @@ class Status(QStatusBar):
 
     @Slot()
     def _show_hint(self) -> None:
-        self.hint.setText(words.hint(self._session.tool.hint))
+        hint = words.hint(self._session.tool.hint)
+        sentences = hint.removesuffix(".").split(". ")
+        self.hint.say([". ".join(sentences[:count]) + "." for count in range(len(sentences), 0, -1)])
+        self.hint.setToolTip(hint)
 
     @Slot(str, float)
     def _show_progress(self, method: str, fraction: float) -> None:
-        self.work.setText(self.tr("Computing {method}…").format(method=words.method(method)))
+        text = self.tr("Computing {method}…").format(method=words.method(method))
+        left = seconds_left(monotonic() - self._begun, fraction)
+        self.work.setText(text if left is None else f"{text} {COUNTS.seconds_left(left)}")
         self.progress.setValue(round(100 * fraction))
 
     @Slot(bool)
     def _show_busy(self, busy: bool) -> None:
         """Show what is done and a way to stop it, where it takes longer than a blink."""
         if busy:
+            self._begun = monotonic()
             self.work.clear()
             self._delay.start()
         else:

@@ -391,6 +391,14 @@
         <source>save it as PNG or JPEG</source>
         <translation>speichern Sie es als PNG oder JPEG</translation>
     </message>
+    <message>
+        <source>the new edge would cross or touch edge {edge}</source>
+        <translation>die neue Kante würde die Kante {edge} kreuzen oder berühren</translation>
+    </message>
+    <message>
+        <source>set the vertex elsewhere</source>
+        <translation>setzen Sie den Eckpunkt woandershin</translation>
+    </message>
 </context>
 <context>
     <name>Beginning</name>
@@ -1093,6 +1101,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>about %n seconds left</source>
+        <translation>
+            <numerusform>noch etwa %n Sekunde</numerusform>
+            <numerusform>noch etwa %n Sekunden</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n marks went with this edit. Undo brings them back.</source>
         <translation>
             <numerusform>%n Marke ging mit dieser Änderung verloren. „Rückgängig“ bringt sie wieder.</numerusform>
@@ -1315,6 +1330,10 @@
     <message>
         <source>Export keyframes</source>
         <translation>Schlüsselbilder exportieren</translation>
+    </message>
+    <message>
+        <source>Apart as played, with easing</source>
+        <translation>Abstände wie abgespielt, mit Zeitverlauf</translation>
     </message>
     <message>
         <source>Marks</source>

@@ -47,6 +47,7 @@ def window(qtbot: QtBot) -> Iterator[MainWindow]:
     assert isinstance(application, QApplication)
     apply_theme(application, LIGHT)
     window = MainWindow(Session())
+    window.resize(1280, 860)  # its usual size, which the screen that there is not would not allow
     window.show()
     qtbot.waitExposed(window)
     window.session.new()
@@ -55,8 +56,10 @@ def window(qtbot: QtBot) -> Iterator[MainWindow]:
             yield window
     finally:
         window.session.new()  # with nothing unsaved, closing asks nothing
+        application.clipboard().clear()  # the platform without a screen would free it after Python has gone
         window.close()
         window.deleteLater()
+        application.clipboard().clear()  # without a screen it would outlive Python, and end it with a signal
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.model.easing import Easing
 from app.view import files
 from app.view.dialogs import PairDialog, SaveDialog
 from app.view.export_dialog import ExportDialog
@@ -178,6 +179,19 @@ def test_keyframes_are_exported_through_the_dialogs(driver: Driver, tmp_path: Pa
         driver.key(Qt.Key.Key_E, CONTROL)
         assert (tmp_path / name).stat().st_size > 500
         assert name in driver.window.statusBar().currentMessage()
+
+
+def test_keyframes_are_exported_as_far_apart_as_they_are_played(driver: Driver, tmp_path: Path) -> None:
+    driver.draw_both()
+    driver.wait_for_blends()
+    driver.window.player.set_easing(Easing((0.4, 0.0), (0.6, 1.0)))
+    driver.in_dialog(_exporting(driver, 0, tmp_path / "eased.svg"))
+    driver.key(Qt.Key.Key_E, CONTROL)
+    assert "t = 0.2<" not in (tmp_path / "eased.svg").read_text()
+    driver.window.player.set_easing(Easing())
+    driver.in_dialog(_exporting(driver, 0, tmp_path / "even.svg"))
+    driver.key(Qt.Key.Key_E, CONTROL)
+    assert "t = 0.2<" in (tmp_path / "even.svg").read_text()
 
 
 def test_there_is_nothing_to_export_before_there_is_a_blend(driver: Driver) -> None:
