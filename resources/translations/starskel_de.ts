@@ -2230,5 +2230,21 @@
         <source>Natural in {n} of {all} frames: the shape lies over itself in layers.</source>
         <translation>In {n} von {all} Zwischenbildern natürlich: die Form liegt in Schichten über sich selbst.</translation>
     </message>
+    <message>
+        <source>These are the frames of the stitched blend.</source>
+        <translation>Das sind die Zwischenbilder der vernähten Überblendung.</translation>
+    </message>
+    <message>
+        <source>Where the stitched blend crosses itself, it is repaired.</source>
+        <translation>Wo die vernähte Überblendung sich kreuzt, ist sie ausgebessert.</translation>
+    </message>
+    <message>
+        <source>No near repair was found: this is a convex morph.</source>
+        <translation>Keine nahe Ausbesserung gefunden: Das ist ein konvexer Übergang.</translation>
+    </message>
+    <message>
+        <source>Vertices stay {d} units or more away from other edges.</source>
+        <translation>Eckpunkte bleiben {d} Einheiten oder mehr von anderen Kanten entfernt.</translation>
+    </message>
 </context>
 </TS>

@@ -8,6 +8,7 @@ import numpy as np
 
 from starskel.blending.frames import Blend
 from starskel.blending.pieces import PieceBlend
+from starskel.clearance import clearance
 from starskel.errors import StarskelError
 from starskel.outline import cross_themselves, edge_lengths, signed_areas
 from starskel.polygon import crossing_edges, meeting_places
@@ -84,8 +85,11 @@ def measure(
     crossings = _crossings(rings, times, task.part(0.4, 0.8))
     proven = bool(crossings)
     if not crossings:
-        proven, between = proof(blend, task.part(0.8, 0.9))
+        proven, between = proof(blend, task.part(0.8, 0.85))
         crossings = (between,) if between else ()
+    kept = None
+    if proven and not crossings and blend.key_times is not None:
+        kept = clearance(blend.frames(blend.key_times), task.part(0.85, 0.9))
     last = task.part(0.9, 1)
     last.reach(0)
     lengths = length_deviations(rings, times)
@@ -107,6 +111,8 @@ def measure(
         negative_lengths=tuple(np.flatnonzero(blend.negative_lengths(times)).tolist()),
         roughness=rough,
         inside=inside,
+        how=blend.how,
+        clearance=kept,
     )
 
 

@@ -20,6 +20,9 @@ from starskel.task import Task
 Bridge = tuple[int, int]
 """The rows where it begins and ends."""
 
+Shares = list[list[float]]
+"""For both shapes and each row a part of its ring: lists, as single numbers are taken from them."""
+
 WIDTHS = (60, 40), (2000, 400)
 """How widely is sought, and how widely where that finds nothing: so many bridges between two rings, the
 shortest that are clear; and so many beginnings of chains that have the same holes behind them.
@@ -99,7 +102,7 @@ def _by_cost(chain: _Chain) -> tuple[float, tuple[Bridge, ...]]:
     return round(chain.cost, 9), chain.bridges
 
 
-def _extended(chain: _Chain, cost: float, bridge: Bridge, goal: int, shares: Floats) -> _Chain:
+def _extended(chain: _Chain, cost: float, bridge: Bridge, goal: int, shares: Shares) -> _Chain:
     """Lengthen a chain; it costs more where it leaves a ring near to where it came to it."""
     total = chain.cost + cost
     if chain.bridges:
@@ -109,22 +112,23 @@ def _extended(chain: _Chain, cost: float, bridge: Bridge, goal: int, shares: Flo
     return _Chain(total, (*chain.bridges, bridge), chain.holes | {goal}, goal)
 
 
-def _narrowness(shares: Floats, came: int, left: int) -> float:
+def _narrowness(shares: Shares, came: int, left: int) -> float:
     if came == left:
         return np.inf
-    apart = np.abs((shares[:, came] - shares[:, left] + 0.5) % 1 - 0.5).min()
-    return APART * float(1 - 2 * apart)
+    apart = min(abs((own[came] - own[left] + 0.5) % 1 - 0.5) for own in shares)
+    return APART * (1 - 2 * apart)
 
 
-def _shares(pair: Correspondence, ring_of: Indices) -> Floats:
-    """Give how far along its ring each row is in both shapes, as parts of the whole, (2, n)."""
+def _shares(pair: Correspondence, ring_of: Indices) -> Shares:
+    """Give how far along its ring each row is in both shapes, as parts of the whole."""
     shares = []
     for rows in (pair.source, pair.target):
         steps = np.hypot(*(rows[pair.following] - rows).T)
         along = np.cumsum(steps) - steps
         starts = np.array(pair.starts)
-        shares.append((along - along[starts][ring_of]) / np.add.reduceat(steps, starts)[ring_of])
-    return np.stack(shares)
+        parts = (along - along[starts][ring_of]) / np.add.reduceat(steps, starts)[ring_of]
+        shares.append(parts.tolist())
+    return shares
 
 
 def _bridges(

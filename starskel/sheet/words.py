@@ -18,7 +18,8 @@ def kind_of(report: Report) -> Kind:
 def verdict(report: Report) -> str:
     """Say whether the blend is simple, or when it crosses itself."""
     if report.simple:
-        return "simple, proven" if report.proven else "simple"
+        known = f"proven, {report.how}" if report.how else "simple, proven"
+        return known if report.proven else "simple"
     if report.natural:
         return f"natural crossing at t = {crossing_words(report)}"
     natural = f", natural in {counted(len(report.natural_frames), 'frame')}" if report.natural_frames else ""
