@@ -8,6 +8,8 @@ from typing import Literal
 import numpy as np
 
 from app.compute import Result
+from app.model.easing import Easing
+from app.playback import EVEN
 from starskel.errors import InvalidFile, either, told
 from starskel.files.postscript import write_eps, write_postscript
 from starskel.files.svg import write_svg
@@ -38,11 +40,13 @@ class Choice:
     method : str
         The method, for all layouts but the sheet.
     frames : int
-        How many keyframes, evenly from t = 0 to 1.
+        How many keyframes, from t = 0 to 1.
     t : float
         The moment, for the layout of one frame.
     marks, pieces, skeleton : bool
         What is shown on the frames.
+    easing : Easing
+        How t runs over the time: keyframes are evenly apart in time.
     """
 
     layout: Layout
@@ -52,11 +56,14 @@ class Choice:
     marks: bool = False
     pieces: bool = False
     skeleton: bool = False
+    easing: Easing = EVEN
 
     @property
     def times(self) -> list[float]:
         """The moments to draw."""
-        return [self.t] if self.layout == "frame" else np.linspace(0, 1, self.frames).tolist()
+        if self.layout == "frame":
+            return [self.t]
+        return [self.easing.t(time) for time in np.linspace(0, 1, self.frames).tolist()]
 
 
 def write(path: Path, name: str, choice: Choice, results: Sequence[Result]) -> None:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from starskel.decomposition import decompose
     from starskel.decomposition.pieces import Decomposition
     from starskel.polygon import Polygon
-    from starskel.quality import Report, measure
+    from starskel.quality import Report, ShapeReport, measure
     from starskel.shapes.blend import blend
     from starskel.shapes.correspondence import ShapeCorrespondence
     from starskel.shapes.match import match
@@ -47,6 +47,7 @@ __all__ = [
     "Shape",
     "ShapeBlend",
     "ShapeCorrespondence",
+    "ShapeReport",
     "Skeleton",
     "StarskelError",
     "UnknownMethod",
@@ -67,6 +68,7 @@ _HOMES = {
     "Shape": "starskel.shapes.shape",
     "ShapeBlend": "starskel.shapes.shape_blend",
     "ShapeCorrespondence": "starskel.shapes.correspondence",
+    "ShapeReport": "starskel.quality",
     "Skeleton": "starskel.skeleton",
     "blend": "starskel.shapes.blend",
     "decompose": "starskel.decomposition",

@@ -15,6 +15,7 @@ INTERRUPTED = 130
 PIPE_BROKEN = 141
 
 _FILE = "a file of pairs (polygon-pairs/1) or a project of the editor"
+_SHAPES = "; or of shapes of several polygons (polygon-multi-pairs/1)"
 _EXAMPLES = """\
 examples:
   starskel blend shapes.json --id letter-C-S --frames 6 -o row.svg
@@ -73,6 +74,9 @@ def _add_blend(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--method", choices=METHODS, default="stitched", help="default: stitched")
     _add_times(parser)
     _add_output(parser, ".svg, .eps, .ps or .json")
+    parser.add_argument(
+        "--separate", action="store_true", help="of shapes of several polygons move each part by itself"
+    )
     parser.add_argument("--plain", action="store_true", help="leave the captions out")
 
 
@@ -109,7 +113,7 @@ def _add_measure(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_pair(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("file", type=Path, metavar="FILE", help=_FILE)
+    parser.add_argument("file", type=Path, metavar="FILE", help=_FILE + _SHAPES)
     parser.add_argument("--id", metavar="ID", help="the pair; may be left out where there is but one")
     parser.add_argument("--step", type=_step, metavar="N", help="the step of a project, counted from 1 (1)")
 

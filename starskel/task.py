@@ -46,6 +46,11 @@ class Task:
         width = self.end - self.start
         return Task(self.progress, self.should_stop, self.start + start * width, self.start + end * width)
 
+    @property
+    def quiet(self) -> "Task":
+        """The same work with nothing reported: inner work that can only be stopped."""
+        return Task(None, self.should_stop)
+
 
 UNWATCHED = Task()
 """Work that nobody watches and nobody stops."""

@@ -12,7 +12,7 @@ from app.tools.outcome import drawn
 from app.tools.pick import distance
 from app.tools.snapping import begun_at, caught, ground_for_drawing
 from app.tools.tool import Catch, Key, Overlay, Pointer, Refusal, Response, Scene, Segment, Tool
-from starskel.errors import InvalidPolygon
+from starskel.errors import InvalidPolygon, told
 from starskel.predicates import Floats, folds_back, segments_meet
 
 
@@ -127,8 +127,8 @@ class Drawing(Tool):
         first = crossed[0] + self.closes
         edges = (self._edge(first), (self.points[-1], self.at))
         error = InvalidPolygon(
-            f"the new edge would cross or touch edge {first}-{first + 1}",
-            "set the vertex elsewhere",
+            told("the new edge would cross or touch edge {edge}", edge=f"{first}-{first + 1}"),
+            told("set the vertex elsewhere"),
             (first, first + 1, len(path) - 1, len(path)),
         )
         return Refusal(self.side, error, edges)

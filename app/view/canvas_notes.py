@@ -7,6 +7,8 @@ from PySide6.QtCore import QCoreApplication, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter
 
 from app.model.marks import Side
+from app.tools.tool import Tool
+from app.view import words
 from app.view.counts import COUNTS
 from app.view.drawing import pen
 from app.view.pins import cross_at
@@ -44,13 +46,17 @@ def paint_caption(painter: QPainter, theme: Theme, side: Side, name: str, count:
         painter.drawText(QPointF(39 + shift, 22), COUNTS.vertices(count))
 
 
-def paint_invitation(painter: QPainter, theme: Theme, frame: QRectF, heading: str, drawing: bool) -> None:
-    """Say in an empty canvas how to begin; `drawing` tells whether the drawing tool is in hand."""
-    how = (
-        translate("Canvas", "Click to set each vertex; click the first one again to close.")
-        if drawing
-        else translate("Canvas", "Take a tool from the left, drop a picture to draw over, or open a file.")
-    )
+def how_to_draw(tool: Tool) -> str:
+    """Tell how an empty canvas is filled with the tool in hand."""
+    if tool.name == "draw":
+        return translate("Canvas", "Click to set each vertex; click the first one again to close.")
+    if tool.name in ("select", "mark", "picture"):
+        return translate("Canvas", "Take a tool from the left, drop a picture to draw over, or open a file.")
+    return words.hint(tool.hint)
+
+
+def paint_invitation(painter: QPainter, theme: Theme, frame: QRectF, heading: str, how: str) -> None:
+    """Say in an empty canvas what belongs there, and how to begin."""
     painter.setPen(QColor(theme.text))
     painter.setFont(_sized(painter.font(), 13.0, bold=True))
     painter.drawText(frame.adjusted(20, 0, -20, -26), Qt.AlignmentFlag.AlignCenter, heading)

@@ -12,7 +12,7 @@ from app.tools.tool import Overlay
 from app.view import words
 from app.view.camera import Camera
 from app.view.canvas_gesture import GesturePainter, square
-from app.view.canvas_notes import paint_caption, paint_invitation, paint_news, paint_notice
+from app.view.canvas_notes import how_to_draw, paint_caption, paint_invitation, paint_news, paint_notice
 from app.view.counts import COUNTS
 from app.view.display import Layers
 from app.view.drawing import faded, lines_of, pen, point_of, polygon_of
@@ -252,6 +252,6 @@ class CanvasPainter:
         paint_caption(self._painter, self._theme, self._side, name, len(self._ring))
         begun = self._is_replaced() or self._overlay.trail is not None
         if not len(self._screen) and not begun:
-            drawing = self._session.tool.name == "draw"
+            how = how_to_draw(self._session.tool)
             heading = words.invitation(document, self._side)
-            paint_invitation(self._painter, self._theme, self._frame(), heading, drawing)
+            paint_invitation(self._painter, self._theme, self._frame(), heading, how)

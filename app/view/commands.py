@@ -239,6 +239,14 @@ COMMANDS = (
         QT_TRANSLATE_NOOP("Command", "Compute all blends anew"),
         ("F5",),
     ),
+    Command(
+        "begin",
+        QT_TRANSLATE_NOOP("Command", "How to &Begin"),
+        QT_TRANSLATE_NOOP("Command", "Show in five lines how to begin"),
+        (),
+        "",
+        True,
+    ),
 )
 
 
@@ -321,7 +329,7 @@ MENUS = (
             *LANGUAGES,
         ),
     ),
-    (QT_TRANSLATE_NOOP("Command", "&Help"), _names(window_commands.HELP)),
+    (QT_TRANSLATE_NOOP("Command", "&Help"), ("begin", "", *_names(window_commands.HELP))),
 )
 """Menus in order; an empty name is a separator, and names that are no commands are submenus."""
 

@@ -12,6 +12,9 @@ class Counts(QObject):
     def marks(self, count: int) -> str:
         return self.tr("%n marks", "", count)
 
+    def seconds_left(self, count: int) -> str:
+        return self.tr("about %n seconds left", "", count)
+
     def lost_marks(self, count: int) -> str:
         """Say that an edit took marks away."""
         return self.tr("%n marks went with this edit. Undo brings them back.", "", count)

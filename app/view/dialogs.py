@@ -7,6 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, Qt, Slot
 from PySide6.QtGui import QImageReader
 from PySide6.QtWidgets import (
+    QAbstractItemView,
     QDialog,
     QDialogButtonBox,
     QFileDialog,
@@ -74,7 +75,7 @@ class SaveDialog(QFileDialog):
         self.setFileMode(QFileDialog.FileMode.AnyFile)
         self.setNameFilters(list(self._endings))
         self.setDefaultSuffix(endings[0][1:])
-        self.selectFile(suggested.name)
+        self._suggest(suggested.name)
         self.filterSelected.connect(self._follow)
 
     @Slot(str)
@@ -84,7 +85,17 @@ class SaveDialog(QFileDialog):
         self.setDefaultSuffix(ending[1:])
         chosen = Path(self.selectedFiles()[0])
         if chosen.suffix in self._endings.values():
-            self.selectFile(chosen.with_suffix(ending).name)
+            self._suggest(chosen.with_suffix(ending).name)
+
+    def _suggest(self, name: str) -> None:
+        """Write a name into the field, and into the field alone.
+
+        Qt selects a file of this name in the list as well. Until it has read the folder, typing does not take
+        that back, and Enter would save to the file selected, not to the one typed.
+        """
+        self.selectFile(name)
+        for files in self.findChildren(QAbstractItemView):
+            files.clearSelection()
 
 
 def ask_about_changes(parent: QWidget, name: str) -> Answer:

@@ -17,8 +17,10 @@ from PySide6.QtWidgets import (
 )
 
 from app.export import ENDINGS, Choice, Layout
+from app.playback import EVEN
 from app.view import words
 from app.view.display import Display
+from app.view.player import Player
 
 _LAYOUTS: tuple[tuple[Layout, object], ...] = (
     ("row", QT_TRANSLATE_NOOP("ExportDialog", "Keyframes in a row")),
@@ -32,7 +34,7 @@ class ExportDialog(QDialog):
     """Asks for a `Choice`; fields that do not matter for the layout are greyed out."""
 
     def __init__(
-        self, methods: Sequence[str], t: float, display: Display, parent: QWidget | None = None
+        self, methods: Sequence[str], player: Player, display: Display, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Export keyframes"))
@@ -48,7 +50,10 @@ class ExportDialog(QDialog):
         self._t = QDoubleSpinBox()
         self._t.setRange(0, 1)
         self._t.setSingleStep(0.01)
-        self._t.setValue(t)
+        self._t.setValue(player.t)
+        self._easing = player.easing
+        self._eased = QCheckBox(self.tr("Apart as played, with easing"))
+        self._eased.setChecked(not player.easing.even)
         self._marks = QCheckBox(self.tr("Marks"))
         self._pieces = QCheckBox(self.tr("Star pieces"))
         self._pieces.setChecked(display.layers.pieces)
@@ -70,6 +75,7 @@ class ExportDialog(QDialog):
             self._marks.isChecked(),
             self._pieces.isChecked(),
             self._skeleton.isChecked(),
+            self._easing if self._eased.isChecked() else EVEN,
         )
 
     def _arrange(self) -> None:
@@ -78,6 +84,7 @@ class ExportDialog(QDialog):
             (self.tr("&What"), self._layout_field),
             (self.tr("&Method"), self._method),
             (self.tr("&Keyframes"), self._frames),
+            ("", self._eased),
             (self.tr("&Time t"), self._t),
             (self.tr("Show"), self._marks),
             ("", self._pieces),
@@ -86,7 +93,7 @@ class ExportDialog(QDialog):
         ):
             form.addRow(label, field)
             field.setAccessibleName(label.replace("&", "") or field.accessibleName())
-        for box in (self._marks, self._pieces, self._skeleton):
+        for box in (self._eased, self._marks, self._pieces, self._skeleton):
             box.setAccessibleName(box.text())
         kind = QDialogButtonBox.StandardButton
         buttons = QDialogButtonBox(kind.Save | kind.Cancel)
@@ -102,5 +109,6 @@ class ExportDialog(QDialog):
         layout: Layout = self._layout_field.currentData()
         self._method.setEnabled(layout != "sheet")
         self._frames.setEnabled(layout != "frame")
+        self._eased.setEnabled(layout != "frame" and not self._easing.even)
         self._t.setEnabled(layout == "frame")
         self._formats.setText(", ".join(ending[1:].upper() for ending in ENDINGS[layout]))

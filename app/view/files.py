@@ -113,7 +113,7 @@ class Files(QObject):
     def export(self) -> None:
         """Ask what to export and where, and write it."""
         results = self._session.fresh_results
-        dialog = ExportDialog([r.method for r in results], self._player.t, self._display, self._window)
+        dialog = ExportDialog([r.method for r in results], self._player, self._display, self._window)
         if dialog.exec() != QDialog.DialogCode.Accepted:
             return
         choice = dialog.choice

@@ -13,6 +13,7 @@ from app.tools.tool import Key
 from app.view import language, words
 from app.view.actions import Actions
 from app.view.backgrounds import Backgrounds
+from app.view.beginning import Beginning
 from app.view.canvas import NOTCH, Canvas
 from app.view.commands import LANGUAGES, PALETTE
 from app.view.convenience import Convenience
@@ -74,6 +75,7 @@ class MainWindow(QMainWindow):
         self.addToolBar(self.options)
         self.options.left.connect(self._focus_canvas)
         self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, tool_palette(self.actions_table))
+        self.beginning = Beginning(self.actions_table["begin"])
         self.setCentralWidget(self._body())
         self.marks = MarksPanel(session)
         self._marks_dock = self._dock(self.marks)
@@ -119,6 +121,7 @@ class MainWindow(QMainWindow):
         layout = QVBoxLayout(body)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
+        layout.addWidget(self.beginning)
         layout.addWidget(self.sequence)
         layout.addWidget(parts, 1)
         self.mark_line = MarkLine(self.session, self.canvases, canvases, body)
@@ -179,6 +182,7 @@ class MainWindow(QMainWindow):
             "step-forward": player.step_forward,
             "next-crossing": self._next_crossing,
             "recompute": session.recompute,
+            "begin": self._show_how_to_begin,
         }
 
     @Slot()
@@ -231,6 +235,10 @@ class MainWindow(QMainWindow):
     def _zoom_out(self) -> None:
         for canvas in self.canvases.values():
             canvas.zoom(1 / NOTCH)
+
+    @Slot()
+    def _show_how_to_begin(self) -> None:
+        self.beginning.switch(shown=self.actions_table["begin"].isChecked())
 
     @Slot()
     def _next_crossing(self) -> None:

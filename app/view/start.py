@@ -10,6 +10,7 @@ from PySide6.QtCore import QLocale, QObject, Qt, Signal, Slot
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from app.session import Session
+from app.view.beginning import begun
 from app.view.clipboard import leave_clipboard
 from app.view.language import chosen, speak, spoken
 from app.view.main_window import MainWindow
@@ -77,6 +78,8 @@ def begin(window: MainWindow, path: Path | None) -> None:
     else:
         window.files.open_example(FIRST_EXAMPLE)
         window.player.play()
+        if not begun():
+            window.actions_table["begin"].trigger()
 
 
 def _theme(application: QApplication) -> Theme:

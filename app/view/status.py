@@ -11,6 +11,8 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar, QToolButton
 from app.session import Session
 from app.view import words
 from app.view.actions import Actions
+from app.view.counts import COUNTS
+from app.view.fitting_label import FittingLabel
 
 NOTICE = 12_000
 """Milliseconds that a notice stays."""
@@ -18,18 +20,19 @@ NOTICE = 12_000
 BLINK = 300
 """Milliseconds of work that are not worth a word."""
 
+TELLING = 2.0
+"""Seconds of work after which its pace tells how long the rest will take."""
 
-def time_left(elapsed: float, fraction: float) -> int | None:
-    """Give the seconds that work will take on, None where that is soon, or too early to say.
 
-    Many seconds are rounded up to fives: an estimate that changes with every glance is not believed.
+def seconds_left(elapsed: float, fraction: float) -> int | None:
+    """Give how many seconds of work are left, in steps of five where they are many; None while none can say.
+
+    That supposes that what is left goes on at the same pace, so it is said with an "about".
     """
-    if elapsed < 1 or fraction < 0.03:
+    if elapsed < TELLING or fraction <= 0:
         return None
     left = elapsed * (1 - fraction) / fraction
-    if left < 2:
-        return None
-    return ceil(left) if left < 10 else 5 * ceil(left / 5)
+    return max(ceil(left), 1) if left <= 10 else 5 * ceil(left / 5)
 
 
 class _FolderButton(QToolButton):
@@ -65,7 +68,8 @@ class Status(QStatusBar):
     def __init__(self, session: Session, actions: Actions) -> None:
         super().__init__()
         self._session = session
-        self.hint = QLabel()
+        self._begun = monotonic()
+        self.hint = FittingLabel()
         self.hint.setObjectName("hint")
         self.work = QLabel()
         self.work.setObjectName("work")
@@ -83,9 +87,7 @@ class Status(QStatusBar):
         self.setContentsMargins(8, 2, 8, 2)
         self.addWidget(self.hint, 1)
         self.folder = _FolderButton()
-        self.left = QLabel()
-        self.left.setObjectName("time-left")
-        for widget in (self.folder, self.work, self.progress, self.left, self.stop):
+        for widget in (self.folder, self.work, self.progress, self.stop):
             self.addPermanentWidget(widget)
         self._delay = QTimer(self)
         self._delay.setSingleShot(True)
@@ -106,13 +108,16 @@ class Status(QStatusBar):
 
     @Slot()
     def _show_hint(self) -> None:
-        self.hint.setText(words.hint(self._session.tool.hint))
+        hint = words.hint(self._session.tool.hint)
+        sentences = hint.removesuffix(".").split(". ")
+        self.hint.say([". ".join(sentences[:count]) + "." for count in range(len(sentences), 0, -1)])
+        self.hint.setToolTip(hint)
 
     @Slot(str, float)
     def _show_progress(self, method: str, fraction: float) -> None:
-        self.work.setText(self.tr("Computing {method}…").format(method=words.method(method)))
-        left = time_left(monotonic() - self._begun, fraction)
-        self.left.setText("" if left is None else self.tr("about {seconds} s left").format(seconds=left))
+        text = self.tr("Computing {method}…").format(method=words.method(method))
+        left = seconds_left(monotonic() - self._begun, fraction)
+        self.work.setText(text if left is None else f"{text} {COUNTS.seconds_left(left)}")
         self.progress.setValue(round(100 * fraction))
 
     @Slot(bool)
@@ -121,7 +126,6 @@ class Status(QStatusBar):
         if busy:
             self._begun = monotonic()
             self.work.clear()
-            self.left.clear()
             self._delay.start()
         else:
             self._delay.stop()
@@ -135,7 +139,6 @@ class Status(QStatusBar):
 
     def _set_busy(self, busy: bool) -> None:
         self.progress.setVisible(busy)
-        self.left.setVisible(busy)
         self.stop.setVisible(busy)
 
     def _outcome(self) -> str:

@@ -62,7 +62,7 @@ def details(report: Report) -> str:
 def _crossings(report: Report) -> list[str]:
     if report.simple:
         if report.proven:
-            return [translate("Verdict", "Never crosses itself: proven for every t.")]
+            return [translate("Verdict", "Never crosses itself: proven for every t."), *_certificate(report)]
         return [translate("Verdict", "No frame crosses itself.")]
     lines = [
         translate("Verdict", "Crosses itself at t = {times}.").format(times=figure(crossing_words(report)))
@@ -72,6 +72,20 @@ def _crossings(report: Report) -> list[str]:
     elif report.natural_frames:
         text = translate("Verdict", "Natural in {n} of {all} frames: the shape lies over itself in layers.")
         lines.append(text.format(n=len(report.natural_frames), all=len(report.crossing_frames)))
+    return lines
+
+
+def _certificate(report: Report) -> list[str]:
+    """Say how a certified blend came about, and how far vertices stay from edges."""
+    ways = {
+        "as stitched": translate("Verdict", "These are the frames of the stitched blend."),
+        "repaired": translate("Verdict", "Where the stitched blend crosses itself, it is repaired."),
+        "convex morph": translate("Verdict", "No near repair was found: this is a convex morph."),
+    }
+    lines = [ways[report.how]] if report.how in ways else []
+    if report.clearance is not None:
+        text = translate("Verdict", "Vertices stay {d} units or more away from other edges.")
+        lines.append(text.format(d=figure(f"{report.clearance:.2g}")))
     return lines
 
 

@@ -392,6 +392,14 @@
         <translation>speichern Sie es als PNG oder JPEG</translation>
     </message>
     <message>
+        <source>the new edge would cross or touch edge {edge}</source>
+        <translation>die neue Kante würde die Kante {edge} kreuzen oder berühren</translation>
+    </message>
+    <message>
+        <source>set the vertex elsewhere</source>
+        <translation>setzen Sie den Eckpunkt woandershin</translation>
+    </message>
+    <message>
         <source>there is no outline in {name}</source>
         <translation>in {name} ist kein Umriss</translation>
     </message>
@@ -413,6 +421,57 @@
     <message>
         <source>&amp;Copy Versions</source>
         <translation>Versionen &amp;kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>Beginning</name>
+    <message>
+        <source>Put this away; it is in the Help menu</source>
+        <translation>Schließen; steht auch im Menü Hilfe</translation>
+    </message>
+    <message>
+        <source>Put away how to begin</source>
+        <translation>Erste Schritte schließen</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>New, then set the corners of both shapes; or open an example.</source>
+        <translation>Neu, dann die Ecken beider Formen setzen; oder ein Beispiel öffnen.</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Markieren</translation>
+    </message>
+    <message>
+        <source>M, then click a vertex and the one that it becomes.</source>
+        <translation>M, dann eine Ecke anklicken und die, zu der sie wird.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>All methods side by side: does a blend cross itself?</source>
+        <translation>Alle Verfahren nebeneinander: schneidet sich ein Übergang?</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>P plays; drag the slider to any moment.</source>
+        <translation>P spielt ab; der Regler führt zu jedem Zeitpunkt.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+E writes keyframes as SVG or PostScript.</source>
+        <translation>Strg+E schreibt Schlüsselbilder als SVG oder PostScript.</translation>
     </message>
 </context>
 <context>
@@ -738,6 +797,14 @@
     <message>
         <source>Compute all blends anew</source>
         <translation>Alle Übergänge neu berechnen</translation>
+    </message>
+    <message>
+        <source>How to &amp;Begin</source>
+        <translation>&amp;Erste Schritte</translation>
+    </message>
+    <message>
+        <source>Show in five lines how to begin</source>
+        <translation>In fünf Zeilen zeigen, wie es losgeht</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -1096,6 +1163,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>about %n seconds left</source>
+        <translation>
+            <numerusform>noch etwa %n Sekunde</numerusform>
+            <numerusform>noch etwa %n Sekunden</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n marks went with this edit. Undo brings them back.</source>
         <translation>
             <numerusform>%n Marke ging mit dieser Änderung verloren. „Rückgängig“ bringt sie wieder.</numerusform>
@@ -1318,6 +1392,10 @@
     <message>
         <source>Export keyframes</source>
         <translation>Schlüsselbilder exportieren</translation>
+    </message>
+    <message>
+        <source>Apart as played, with easing</source>
+        <translation>Abstände wie abgespielt, mit Zeitverlauf</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -1636,20 +1714,20 @@
         <translation>Abbildungen des Aufsatzes</translation>
     </message>
     <message>
-        <source>Sh&amp;ow</source>
-        <translation>&amp;Zeigen</translation>
-    </message>
-    <message>
-        <source>&amp;Methods</source>
-        <translation>&amp;Methoden</translation>
-    </message>
-    <message>
         <source>Open &amp;Recent</source>
         <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>&amp;Clear List</source>
         <translation>Liste &amp;leeren</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Methods</source>
+        <translation>&amp;Methoden</translation>
     </message>
 </context>
 <context>
@@ -1943,10 +2021,6 @@
     <message>
         <source>Computing {method}…</source>
         <translation>Berechne: {method}…</translation>
-    </message>
-    <message>
-        <source>about {seconds} s left</source>
-        <translation>noch etwa {seconds} s</translation>
     </message>
     <message>
         <source>Computing…</source>
@@ -2298,6 +2372,22 @@
     <message>
         <source>Natural in {n} of {all} frames: the shape lies over itself in layers.</source>
         <translation>In {n} von {all} Zwischenbildern natürlich: die Form liegt in Schichten über sich selbst.</translation>
+    </message>
+    <message>
+        <source>These are the frames of the stitched blend.</source>
+        <translation>Das sind die Zwischenbilder der vernähten Überblendung.</translation>
+    </message>
+    <message>
+        <source>Where the stitched blend crosses itself, it is repaired.</source>
+        <translation>Wo die vernähte Überblendung sich kreuzt, ist sie ausgebessert.</translation>
+    </message>
+    <message>
+        <source>No near repair was found: this is a convex morph.</source>
+        <translation>Keine nahe Ausbesserung gefunden: Das ist ein konvexer Übergang.</translation>
+    </message>
+    <message>
+        <source>Vertices stay {d} units or more away from other edges.</source>
+        <translation>Eckpunkte bleiben {d} Einheiten oder mehr von anderen Kanten entfernt.</translation>
     </message>
 </context>
 <context>

@@ -18,6 +18,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>about %n seconds left</source>
+        <translation>
+            <numerusform>about %n second left</numerusform>
+            <numerusform>about %n seconds left</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n marks went with this edit. Undo brings them back.</source>
         <translation>
             <numerusform>%n mark went with this edit. Undo brings it back.</numerusform>

@@ -31,9 +31,12 @@ class Blend(ABC):
     key_times : (k,) array or None
         The times between which every vertex moves evenly on a straight line, 0 and 1 included; None where
         vertices move otherwise.
+    how : str or None
+        How the frames came about, where the method has several ways; None elsewhere.
     """
 
     key_times: Floats | None = None
+    how: str | None = None
     decomposition: Decomposition | None = None
     skeleton: Skeleton | None = None
     settled: bool = True

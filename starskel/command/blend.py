@@ -4,26 +4,32 @@ from argparse import Namespace
 
 import numpy as np
 
-from starskel.blending.frames import Blend
 from starskel.command.methods import blends
 from starskel.command.opening import chosen_pair
-from starskel.command.output import WRITERS, ending_of
+from starskel.command.output import WRITERS, ending_of, write_keyframes
+from starskel.command.shapes import blend_shapes
+from starskel.errors import InvalidFile
+from starskel.files import multi_pairs
+from starskel.files.documents import format_of
 from starskel.files.frames import write_frames
-from starskel.files.postscript import write_postscript
 from starskel.sheet.keyframe import Shown, keyframes, marked_rows
-from starskel.sheet.rows import page_sheets, row_sheet
 
 
 def run(arguments: Namespace) -> int:
     """Blend the pair by the method and write its keyframes."""
     ending = ending_of(arguments.output, (*WRITERS, ".json"))
+    if format_of(arguments.file) == multi_pairs.FORMAT:
+        return blend_shapes(arguments, ending, times_of(arguments))
+    if arguments.separate:
+        raise InvalidFile(f"{arguments.file} holds no shapes of several polygons", "leave out --separate")
     pair = chosen_pair(arguments.file, arguments.id, arguments.step)
     ((_, made),) = blends(pair, [arguments.method])
     times = times_of(arguments)
     if ending == ".json":
         write_frames(arguments.output, arguments.method, times, marked_rows(made.pair), made.frames(times))
     else:
-        _write_drawing(arguments, ending, pair.id, made, times)
+        frames = keyframes(made, times, shown_of(arguments))
+        write_keyframes(arguments, ending, f"{pair.id}: {arguments.method}", frames)
     return 0
 
 
@@ -36,15 +42,3 @@ def times_of(arguments: Namespace) -> list[float]:
 def shown_of(arguments: Namespace) -> Shown:
     """Give what is to be seen on the frames."""
     return Shown(arguments.marks, arguments.pieces, arguments.skeleton)
-
-
-def _write_drawing(arguments: Namespace, ending: str, name: str, blend: Blend, times: list[float]) -> None:
-    frames = keyframes(blend, times, shown_of(arguments))
-    title = f"{name}: {arguments.method}"
-    captions = not arguments.plain
-    if ending == ".ps":
-        write_postscript(arguments.output, page_sheets(title, frames, captions))
-    elif len(frames) == 1:
-        WRITERS[ending](arguments.output, page_sheets(title, frames, captions)[0])
-    else:
-        WRITERS[ending](arguments.output, row_sheet(title, frames, captions))

@@ -50,6 +50,8 @@ class Figures(msgspec.Struct, frozen=True):
     angle_deviation: float
     roughness: float
     inside: Distortion | None
+    how: str | None
+    clearance: float | None
     areas: list[float]
     area_deviations: list[float]
     perimeters: list[float]
@@ -74,6 +76,8 @@ class Figures(msgspec.Struct, frozen=True):
             angle_deviation=report.angle_deviation,
             roughness=report.roughness,
             inside=report.inside,
+            how=report.how,
+            clearance=report.clearance,
             areas=report.areas.tolist(),
             area_deviations=report.area_deviations.tolist(),
             perimeters=report.perimeters.tolist(),

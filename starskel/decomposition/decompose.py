@@ -69,8 +69,9 @@ def decompose(
     source, target = (points_of(np.roll(ring, -start, axis=0)) for ring in (pair.source, pair.target))
     tiling = Tiling(target, source, (whole,)) if swapped else Tiling(source, target, (whole,))
     tiling = (_minimal if algorithm == "minimal" else _convex)(tiling, whole, steiner, task)
+    found = _finished(pair, tiling.swapped() if swapped else tiling, start, task.quiet)
     task.reach(1)
-    return _finished(pair, tiling.swapped() if swapped else tiling, start)
+    return found
 
 
 def _canonical(pair: Correspondence) -> tuple[bool, int]:
@@ -116,8 +117,8 @@ def _convex(tiling: Tiling, whole: Piece, steiner: bool, task: Task) -> Tiling:
 
 def _polished(tiling: Tiling, n: int, task: Task) -> Tiling:
     """Drop Steiner vertices and pieces that are not needed; vertices in better places free more of them."""
-    tiling = reduce(tiling, n, task.part(0, 0))
-    tiling = shaped(tiling, n, task.part(0, 0))
+    tiling = reduce(tiling, n, task.quiet)
+    tiling = shaped(tiling, n, task.quiet)
     return reduce(tiling, n, task)
 
 
@@ -126,16 +127,16 @@ def _fewest(tiling: Tiling, whole: Piece, task: Task) -> list[Piece] | None:
     if (star_vertices(tiling.source, ring) & star_vertices(tiling.target, ring)).any():
         return [whole]
     grounds = triangulate(tiling.source, ring), triangulate(tiling.target, ring)
-    return minimal_pieces(links_of(*grounds, task.part(0, 0)), task)
+    return minimal_pieces(links_of(*grounds, task.quiet), task)
 
 
-def _finished(pair: Correspondence, tiling: Tiling, start: int) -> Decomposition:
+def _finished(pair: Correspondence, tiling: Tiling, start: int, task: Task) -> Decomposition:
     """Count rows from the pair's own, drop the Steiner vertices that no piece uses, and find the origins."""
     n = len(pair.source)
     rows = [*((v - start) % n for v in range(n)), *sorted({v for p in tiling.pieces for v in p if v >= n})]
     name = {old: new for new, old in enumerate(rows)}
     source, target = (
-        np.array(side) for side in zip(*(_origins(tiling, p) for p in tiling.pieces), strict=True)
+        np.array(side) for side in zip(*(_origins(tiling, p, task) for p in tiling.pieces), strict=True)
     )
     return Decomposition(
         pair,
@@ -147,13 +148,17 @@ def _finished(pair: Correspondence, tiling: Tiling, start: int) -> Decomposition
     )
 
 
-def _origins(tiling: Tiling, piece: Piece) -> tuple[Floats, Floats]:
+def _origins(tiling: Tiling, piece: Piece, task: Task) -> tuple[Floats, Floats]:
     """Give the mean of the common star vertices (paper, section 2.4.2), or the centroids of both kernels."""
+    task.reach(0)
     ring = np.array(piece)
     common = ring[star_vertices(tiling.source, ring) & star_vertices(tiling.target, ring)]
     if len(common):
         return tiling.source.coordinates[common].mean(axis=0), tiling.target.coordinates[common].mean(axis=0)
-    source, target = star_point(tiling.source, ring), star_point(tiling.target, ring)
+    task.reach(0)
+    source = star_point(tiling.source, ring)
+    task.reach(0)
+    target = star_point(tiling.target, ring)
     if source is None or target is None:
         raise AssertionError("a piece is not star-shaped")
     return source, target

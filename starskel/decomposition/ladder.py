@@ -30,7 +30,7 @@ def climb(tiling: Tiling, cell: Piece, free: Free, task: Task) -> Tiling:
         return tiling
     task.reach(0)
     grounds = _triangulate(tiling, cell)
-    cells = least_stuck_cells(links_of(*grounds, task), task.part(0, 0))
+    cells = least_stuck_cells(links_of(*grounds, task), task.quiet)
     parts = [tuple(cell[v] for v in part) for part in cells]
     tiling = tiling.replace(cell, parts)
     for at, part in enumerate(parts):
@@ -64,7 +64,7 @@ def cheapest(tiling: Tiling, grounds: Grounds, found: Sequence[Tiling]) -> Tilin
 def _fill(fan: Fan, task: Task) -> Tiling:
     tiling = fan.tiling
     for pocket in fan.pockets:
-        tiling = climb(tiling, pocket, by_fan, task.part(0, 0))
+        tiling = climb(tiling, pocket, by_fan, task.quiet)
     return tiling
 
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from starskel.decomposition.sightlines import Places, sightlines
 from starskel.points import Points
+from starskel.polygon import crossing_edges, meeting_places
 from starskel.predicates import ROUNDING, Floats, Indices, Relation
 from starskel.task import Task
 from starskel.triangulation import Triangulation, triangulate
@@ -134,7 +135,7 @@ def _widest(ways: _Ways, task: Task) -> Floats | None:
     while (ahead := _levels(ways.sees, 0))[1] > 0:
         width, before = _widths(ways, ahead, task)
         if width[1] > 0:
-            return ways.at[_trace(before)]
+            return _without_loops(ways.at[[0, *_trace(before), 1]])[1:-1]
     return None
 
 
@@ -171,6 +172,19 @@ def _trace(before: Indices) -> list[int]:
     while bends[-1]:
         bends.append(int(before[bends[-1]]))
     return bends[-2::-1]
+
+
+def _without_loops(path: Floats) -> Floats:
+    """Cut off the loops of a path: over given places the one with fewest links may still cross itself."""
+    while len(path) > 3:
+        pairs = crossing_edges(path)
+        pairs = pairs[(pairs[:, 1] < len(path) - 1) & (np.diff(pairs, axis=1)[:, 0] > 1)]
+        if not len(pairs):
+            break
+        first, last = pairs[pairs[:, 0] == pairs[0, 0]][-1]
+        crossing = meeting_places(path, np.array([[first, last]]))
+        path = np.concatenate([path[: first + 1], crossing, path[last + 1 :]])
+    return path
 
 
 def _berths_between(ways: _Ways, first: Indices, second: Indices, task: Task) -> Floats:

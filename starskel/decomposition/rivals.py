@@ -34,6 +34,6 @@ def by_rivals(tiling: Tiling, grounds: Grounds, task: Task) -> Tiling:
     tried = max(1, min(MOST_TRIED, TRIED_VERTICES // len(cell)))
     found = by_fans(tiling, grounds, tried, task)
     if len(cell) > SMALL and not any(FEW * (fan.cost()[0] - len(cell)) <= len(cell) for fan in found):
-        found.append(transfer(tiling, cell, task.part(0, 0)))
+        found.append(transfer(tiling, cell, task.quiet))
     hope = HOPELESS * min((rival.cost() for rival in found), default=(0, 0))[0]
     return cheapest(tiling, grounds, [reduce(rival, n, task) for rival in found if rival.cost()[0] <= hope])

@@ -41,7 +41,8 @@ def transfer(tiling: Tiling, whole: Piece, task: Task) -> Tiling:
     parts = tiling.pieces
     for at, part in enumerate(parts):
         done = 0.7 + 0.3 * at / len(parts)
-        tiling = climb(tiling, part, by_fan, task.part(done, done))
+        task.reach(done)
+        tiling = climb(tiling, part, by_fan, task.quiet)
     return tiling.swapped() if swap else tiling
 
 
@@ -84,7 +85,8 @@ def _draw(tiling: Tiling, whole: Piece, cuts: list[Cut], task: Task) -> Tiling:
         drawn += 1
         chosen = _halving(part, inner)
         inner = [cut for cut in inner if cut != chosen]
-        cut = _cut(tiling, part, chosen, task.part(done, done))
+        task.reach(done)
+        cut = _cut(tiling, part, chosen, task.quiet)
         if cut is None:
             waiting.append((part, inner))
             continue

@@ -1,4 +1,7 @@
-"""Frames out as numbers, format starskel-frames/1: for programs that draw them themselves."""
+"""Frames out as numbers, for programs that draw them themselves.
+
+Polygons have the format starskel-frames/1, shapes starskel-shape-frames/1.
+"""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -10,6 +13,7 @@ from starskel.files.shapes import Row
 from starskel.predicates import Floats
 
 FORMAT = "starskel-frames/1"
+SHAPE_FORMAT = "starskel-shape-frames/1"
 
 
 class _Document(msgspec.Struct, frozen=True):
@@ -18,6 +22,41 @@ class _Document(msgspec.Struct, frozen=True):
     times: list[float]
     marks: list[int]
     frames: list[list[Row]]
+
+
+class _ShapeDocument(msgspec.Struct, frozen=True):
+    format: str
+    method: str
+    times: list[float]
+    outer: list[int]
+    frames: list[list[list[Row]]]
+
+
+def write_shape_frames(
+    path: Path, method: str, times: Sequence[float], outer: Sequence[int], frames: Sequence[Sequence[Floats]]
+) -> None:
+    """Write the rings of a blend of shapes, in the user's units, to the last bit.
+
+    Parameters
+    ----------
+    path : Path
+        Where to.
+    method : str
+        What made them.
+    times : k floats
+        When they are.
+    outer : sequence of int
+        For each ring the ring that it is a hole of, -1 for outlines.
+    frames : k sequences of (n, 2) arrays
+        The rings at each time; row i of a ring is the same vertex in all of them.
+
+    Raises
+    ------
+    InvalidFile
+        If the file cannot be written.
+    """
+    rings = [[[(x, y) for x, y in ring.tolist()] for ring in frame] for frame in frames]
+    write_document(path, _ShapeDocument(SHAPE_FORMAT, method, list(times), list(outer), rings))
 
 
 def write_frames(

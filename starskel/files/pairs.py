@@ -1,9 +1,10 @@
 """Files of pairs of polygons, format polygon-pairs/1."""
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Protocol, TypeVar
 
 import msgspec
 
@@ -14,6 +15,17 @@ from starskel.files.shapes import Row, marked_shapes, polygon_of, rows_of
 from starskel.polygon import Polygon
 
 FORMAT = "polygon-pairs/1"
+
+
+class Named(Protocol):
+    """What has a name in a file."""
+
+    @property
+    def id(self) -> str:
+        """The name."""
+
+
+Entry = TypeVar("Entry", bound=Named)
 
 
 class _Entry(msgspec.Struct, frozen=True, kw_only=True):
@@ -72,7 +84,7 @@ class PairsFile:
 
     def __init__(self, path: Path, entries: Iterable[_Entry]) -> None:
         self.path = path
-        self._entries = {entry.id: entry for entry in entries}
+        self._entries = by_id(path, entries)
         self.ids = tuple(self._entries)
 
     def pair(self, pair_id: str) -> ShapePair:
@@ -83,22 +95,12 @@ class PairsFile:
         InvalidFile
             If there is none, naming the nearest ones, or if its polygons or marks are invalid.
         """
-        entry = self._entries.get(pair_id)
-        if entry is None:
-            raise InvalidFile(
-                told('{path} has no pair "{name}"', path=self.path, name=pair_id), self._suggestion(pair_id)
-            )
+        entry = entry_of(self.path, self._entries, pair_id)
         where = told('{path}: pair "{name}"', path=self.path, name=entry.id)
         source = polygon_of(entry.p, told("{where}: {what}", where=where, what=told("source (p)")))
         target = polygon_of(entry.q, told("{where}: {what}", where=where, what=told("target (q)")))
         source, target, marks = marked_shapes(source, target, entry.marks, where)
         return ShapePair(entry.id, source, target, marks, tuple(entry.tags), entry.source)
-
-    def _suggestion(self, pair_id: str) -> str:
-        by_lower_case = {name.lower(): name for name in self.ids}
-        near = difflib.get_close_matches(pair_id.lower(), by_lower_case, n=3, cutoff=0.4)
-        names = [by_lower_case[name] for name in near] or self.ids[:8]
-        return told("choose one of {names}", names=", ".join(names))
 
 
 def read_pairs(path: Path) -> PairsFile:
@@ -110,16 +112,46 @@ def read_pairs(path: Path) -> PairsFile:
         If it cannot be read, is no file of pairs, or has no pair or two pairs of one name.
     """
     check_format(path, FORMAT)
-    pairs = PairsFile(path, entries := read_document(path, _Document).pairs)
-    if not entries:
+    return PairsFile(path, read_document(path, _Document).pairs)
+
+
+def by_id(path: Path, entries: Iterable[Entry]) -> dict[str, Entry]:
+    """Give the entries of a file by their names.
+
+    Raises
+    ------
+    InvalidFile
+        If there is none, or two have one name.
+    """
+    found: dict[str, Entry] = {}
+    for entry in entries:
+        if entry.id in found:
+            raise InvalidFile(
+                told('{path} has two pairs "{name}"', path=path, name=entry.id), told("rename one of them")
+            )
+        found[entry.id] = entry
+    if not found:
         raise InvalidFile(told("{path} holds no pair", path=path), told("give a file with at least one pair"))
-    if len(pairs.ids) < len(entries):
-        names = [entry.id for entry in entries]
-        twice = next(name for name in names if names.count(name) > 1)
-        raise InvalidFile(
-            told('{path} has two pairs "{name}"', path=path, name=twice), told("rename one of them")
-        )
-    return pairs
+    return found
+
+
+def entry_of(path: Path, entries: Mapping[str, Entry], pair_id: str) -> Entry:
+    """Give the entry of this name.
+
+    Raises
+    ------
+    InvalidFile
+        If there is none, naming the nearest ones.
+    """
+    if pair_id in entries:
+        return entries[pair_id]
+    by_lower_case = {name.lower(): name for name in entries}
+    near = difflib.get_close_matches(pair_id.lower(), by_lower_case, n=3, cutoff=0.4)
+    names = [by_lower_case[name] for name in near] or list(entries)[:8]
+    raise InvalidFile(
+        told('{path} has no pair "{name}"', path=path, name=pair_id),
+        told("choose one of {names}", names=", ".join(names)),
+    )
 
 
 def write_pairs(path: Path, pairs: Iterable[ShapePair]) -> None:

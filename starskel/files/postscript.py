@@ -24,6 +24,7 @@ starskel begin
 /z /closepath load def
 /disc { newpath 0 360 arc closepath } bind def
 /filled { setrgbcolor gsave fill grestore } bind def
+/eofilled { setrgbcolor gsave eofill grestore } bind def
 /stroked { setrgbcolor setlinewidth stroke } bind def
 /face { findfont exch scalefont setfont setrgbcolor moveto } bind def
 /from-start { show } bind def
@@ -142,29 +143,31 @@ def _lines(items: Sequence[Item]) -> Iterator[str]:
             case Group(name, inner):
                 yield f"% {_ascii(name)}"
                 yield from _lines(inner)
-            case Area(ring, fill, stroke):
-                yield from _path(ring)
-                yield from _paint("z", fill, stroke)
+            case Area(ring, fill, stroke, holes):
+                yield "newpath"
+                for points in (ring, *holes):
+                    yield from _path(points)
+                    yield "z"
+                yield from _paint(fill, stroke, "eofilled" if holes else "filled")
             case Line(points, stroke):
+                yield "newpath"
                 yield from _path(points)
-                yield from _paint("", None, stroke)
+                yield from _paint(None, stroke)
             case Disc((x, y), radius, fill, stroke):
-                yield from _paint(f"{decimal(x)} {decimal(y)} {decimal(radius)} disc", fill, stroke)
+                yield f"{decimal(x)} {decimal(y)} {decimal(radius)} disc"
+                yield from _paint(fill, stroke)
             case Label():
                 yield _label(item)
 
 
 def _path(points: Floats) -> Iterator[str]:
-    yield "newpath"
     for number, (x, y) in enumerate(points.tolist()):
         yield f"{decimal(x)} {decimal(y)} {'l' if number else 'm'}"
 
 
-def _paint(path: str, fill: str | None, stroke: Stroke | None) -> Iterator[str]:
-    if path:
-        yield path
+def _paint(fill: str | None, stroke: Stroke | None, filled: str = "filled") -> Iterator[str]:
     if fill is not None:
-        yield f"{_colour(fill)} filled"
+        yield f"{_colour(fill)} {filled}"
     if stroke is not None:
         yield f"{decimal(stroke.width)} {_colour(stroke.colour)} stroked"
 

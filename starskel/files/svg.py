@@ -47,8 +47,10 @@ class _Writer:
             case Group(name, items):
                 inside = [line for inner in items for line in self.lines(inner)]
                 return [f"<g id={quoteattr(name)}>", *inside, "</g>"]
-            case Area(ring, fill, stroke):
-                return [f'<path d="{self._path(ring)} Z"{_paint(fill, stroke)}/>']
+            case Area(ring, fill, stroke, holes):
+                path = " ".join(f"{self._path(points)} Z" for points in (ring, *holes))
+                rule = ' fill-rule="evenodd"' if holes else ""
+                return [f'<path d="{path}"{rule}{_paint(fill, stroke)}/>']
             case Line(points, stroke):
                 return [f'<path d="{self._path(points)}"{_paint(None, stroke)}/>']
             case Disc((x, y), radius, fill, stroke):

@@ -3,5 +3,6 @@
 from starskel.quality.inside import Distortion
 from starskel.quality.measure import measure
 from starskel.quality.report import Crossing, Report
+from starskel.quality.shape_report import ShapeReport
 
-__all__ = ["Crossing", "Distortion", "Report", "measure"]
+__all__ = ["Crossing", "Distortion", "Report", "ShapeReport", "measure"]

@@ -2,11 +2,13 @@
 
 import operator
 from collections.abc import Iterator
+from typing import overload
 
 import numpy as np
 
 from starskel.blending.frames import Blend
 from starskel.blending.pieces import PieceBlend
+from starskel.clearance import clearance
 from starskel.errors import StarskelError
 from starskel.outline import cross_themselves, edge_lengths, signed_areas
 from starskel.polygon import crossing_edges, meeting_places
@@ -16,6 +18,8 @@ from starskel.quality.inside import Distortion, Triangles
 from starskel.quality.layers import in_layers
 from starskel.quality.proof import proof
 from starskel.quality.report import Crossing, Report
+from starskel.quality.shape_report import ShapeReport, measure_shapes
+from starskel.shapes.shape_blend import ShapeBlend
 from starskel.task import Progress, ShouldStop, Task
 
 _AT_ONCE = 1 << 15
@@ -25,18 +29,38 @@ _EVEN_STEPS = 50
 """Steps over which a vertex should move evenly."""
 
 
+@overload
 def measure(
     blend: Blend,
+    frames: int = ...,
+    *,
+    progress: Progress | None = ...,
+    should_stop: ShouldStop | None = ...,
+) -> Report: ...
+
+
+@overload
+def measure(
+    blend: ShapeBlend,
+    frames: int = ...,
+    *,
+    progress: Progress | None = ...,
+    should_stop: ShouldStop | None = ...,
+) -> ShapeReport: ...
+
+
+def measure(
+    blend: Blend | ShapeBlend,
     frames: int = 101,
     *,
     progress: Progress | None = None,
     should_stop: ShouldStop | None = None,
-) -> Report:
+) -> Report | ShapeReport:
     """Measure a blend at evenly spread times, both ends included.
 
     Parameters
     ----------
-    blend : Blend
+    blend : Blend or ShapeBlend
     frames : int
         How many times, 2 or more.
     progress : callable, optional
@@ -52,15 +76,20 @@ def measure(
         If ``should_stop`` answered True.
     """
     times = np.linspace(0, 1, _checked_count(frames))
+    task = Task(progress, should_stop)
+    if isinstance(blend, ShapeBlend):
+        return measure_shapes(blend, times, task)
     if not isinstance(blend, Blend):
         raise StarskelError(f"{type(blend).__name__} is no blend", "give what starskel.blend returns")
-    task = Task(progress, should_stop)
     rings, inside = _looked_at(blend, times, task.part(0, 0.4))
     crossings = _crossings(rings, times, task.part(0.4, 0.8))
     proven = bool(crossings)
     if not crossings:
-        proven, between = proof(blend, task.part(0.8, 0.9))
+        proven, between = proof(blend, task.part(0.8, 0.85))
         crossings = (between,) if between else ()
+    kept = None
+    if proven and not crossings and blend.key_times is not None:
+        kept = clearance(blend.frames(blend.key_times), task.part(0.85, 0.9))
     last = task.part(0.9, 1)
     last.reach(0)
     lengths = length_deviations(rings, times)
@@ -82,6 +111,8 @@ def measure(
         negative_lengths=tuple(np.flatnonzero(blend.negative_lengths(times)).tolist()),
         roughness=rough,
         inside=inside,
+        how=blend.how,
+        clearance=kept,
     )
 
 

@@ -66,6 +66,11 @@ class Report:
         gives 0.001. The times are fixed, so it does not depend on how many frames are looked at.
     inside : Distortion or None
         How the fans of the star pieces are distorted; None where the method has no pieces.
+    how : str or None
+        How the blend came about, where the method has several ways.
+    clearance : float or None
+        Where the blend is proven simple, the distance that every vertex keeps from all edges that it is no
+        end of, at all times; a lower bound, short of the true distance by a tenth at most.
     """
 
     times: Floats
@@ -79,6 +84,8 @@ class Report:
     negative_lengths: tuple[int, ...]
     roughness: float
     inside: Distortion | None
+    how: str | None = None
+    clearance: float | None = None
 
     @property
     def simple(self) -> bool:

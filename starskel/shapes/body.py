@@ -6,7 +6,7 @@ import numpy as np
 
 from starskel.blending.blend import blend
 from starskel.blending.frames import Blend, row_masses
-from starskel.blending.pieces import PieceBlend
+from starskel.blending.star_skeleton import StarSkeletonBlend
 from starskel.blending.vertex import VertexBlend
 from starskel.correspondence import Correspondence
 from starskel.errors import StarskelError
@@ -56,8 +56,8 @@ class Body:
         return first, middle + (last - middle) * complex(np.exp(1j * self.rotation))
 
     def _roots(self, ts: Floats, rows: Complex) -> Complex:
-        """Give the star-skeleton's root, or where there is none the middle of all rings."""
-        if isinstance(self.blend, PieceBlend):
+        """Give the star-skeleton's root; of methods that hang on none, the middle of all rings."""
+        if isinstance(self.blend, StarSkeletonBlend):
             row = len(self.blend.decomposition.source) + self.blend.skeleton.root
             return as_complex(self.blend.inside(ts)[:, row])
         return np.asarray((rows * row_masses(self.part.pair)).sum(axis=1))

@@ -20,11 +20,13 @@ from starskel.task import Task
 Bridge = tuple[int, int]
 """The rows where it begins and ends."""
 
-KEPT = 60
-"""So many bridges are considered between two rings, the shortest that are clear."""
+Shares = list[list[float]]
+"""For both shapes and each row a part of its ring: lists, as single numbers are taken from them."""
 
-BREADTH = 40
-"""So many beginnings of chains are followed that have the same holes behind them."""
+WIDTHS = (60, 40), (2000, 400)
+"""How widely is sought, and how widely where that finds nothing: so many bridges between two rings, the
+shortest that are clear; and so many beginnings of chains that have the same holes behind them.
+"""
 
 APART = 0.3
 """What it costs where a chain leaves a ring just where it came to it, as a part of the size."""
@@ -48,29 +50,36 @@ def chain_of(pair: Correspondence, task: Task) -> tuple[Bridge, ...]:
     StarskelError
         If no chain of straight bridges is found.
     """
+    for kept, breadth in WIDTHS:
+        chains = _chains(pair, kept, breadth, task)
+        if chains:
+            return min(chains, key=_by_cost).bridges
+    raise StarskelError(
+        "the holes of a part cannot be joined to its outline by straight bridges that both shapes have",
+        "add vertices or marks, or pair the holes otherwise",
+    )
+
+
+def _chains(pair: Correspondence, kept: int, breadth: int, task: Task) -> list[_Chain]:
+    """Give chains through all holes, hole by hole, the cheapest beginnings followed."""
     ring_of = np.repeat(np.arange(len(pair.starts)), np.diff([*pair.starts, len(pair)]))
-    found = _bridges(pair, ring_of, task)
+    found = _bridges(pair, ring_of, kept, task)
     shares = _shares(pair, ring_of)
     crossing = _crossings(pair, [bridge for own in found.values() for _, bridge in own])
     holes = range(1, len(pair.starts))
     chains = [_Chain(0.0, (), frozenset(), 0)]
     for step in range(len(holes) + 1):
-        task.reach(0)
         longer: dict[tuple[frozenset[int], int], list[_Chain]] = {}
         for chain in chains:
+            task.reach(0)
             goals = [hole for hole in holes if hole not in chain.holes] if step < len(holes) else [0]
             for goal in goals:
                 for cost, bridge in found[chain.ring, goal]:
                     if all(frozenset((bridge, other)) not in crossing for other in chain.bridges):
                         new = _extended(chain, cost, bridge, goal, shares)
                         longer.setdefault((new.holes, goal), []).append(new)
-        chains = [c for own in longer.values() for c in sorted(own, key=_by_cost)[:BREADTH]]
-    if not chains:
-        raise StarskelError(
-            "the holes of a part cannot be joined to its outline by straight bridges that both shapes have",
-            "add vertices or marks, or pair the holes otherwise",
-        )
-    return min(chains, key=_by_cost).bridges
+        chains = [c for own in longer.values() for c in sorted(own, key=_by_cost)[:breadth]]
+    return chains
 
 
 def halves(pair: Correspondence, chain: tuple[Bridge, ...]) -> tuple[Indices, Indices]:
@@ -93,7 +102,7 @@ def _by_cost(chain: _Chain) -> tuple[float, tuple[Bridge, ...]]:
     return round(chain.cost, 9), chain.bridges
 
 
-def _extended(chain: _Chain, cost: float, bridge: Bridge, goal: int, shares: Floats) -> _Chain:
+def _extended(chain: _Chain, cost: float, bridge: Bridge, goal: int, shares: Shares) -> _Chain:
     """Lengthen a chain; it costs more where it leaves a ring near to where it came to it."""
     total = chain.cost + cost
     if chain.bridges:
@@ -103,26 +112,27 @@ def _extended(chain: _Chain, cost: float, bridge: Bridge, goal: int, shares: Flo
     return _Chain(total, (*chain.bridges, bridge), chain.holes | {goal}, goal)
 
 
-def _narrowness(shares: Floats, came: int, left: int) -> float:
+def _narrowness(shares: Shares, came: int, left: int) -> float:
     if came == left:
         return np.inf
-    apart = np.abs((shares[:, came] - shares[:, left] + 0.5) % 1 - 0.5).min()
-    return APART * float(1 - 2 * apart)
+    apart = min(abs((own[came] - own[left] + 0.5) % 1 - 0.5) for own in shares)
+    return APART * (1 - 2 * apart)
 
 
-def _shares(pair: Correspondence, ring_of: Indices) -> Floats:
-    """Give how far along its ring each row is in both shapes, as parts of the whole, (2, n)."""
+def _shares(pair: Correspondence, ring_of: Indices) -> Shares:
+    """Give how far along its ring each row is in both shapes, as parts of the whole."""
     shares = []
     for rows in (pair.source, pair.target):
         steps = np.hypot(*(rows[pair.following] - rows).T)
         along = np.cumsum(steps) - steps
         starts = np.array(pair.starts)
-        shares.append((along - along[starts][ring_of]) / np.add.reduceat(steps, starts)[ring_of])
-    return np.stack(shares)
+        parts = (along - along[starts][ring_of]) / np.add.reduceat(steps, starts)[ring_of]
+        shares.append(parts.tolist())
+    return shares
 
 
 def _bridges(
-    pair: Correspondence, ring_of: Indices, task: Task
+    pair: Correspondence, ring_of: Indices, kept: int, task: Task
 ) -> dict[tuple[int, int], list[tuple[float, Bridge]]]:
     """Give for each two rings the shortest bridges from the one to the other, with what they cost."""
     found: dict[tuple[int, int], list[tuple[float, Bridge]]] = {}
@@ -138,10 +148,10 @@ def _bridges(
             some = order[k : k + _AT_ONCE]
             clear = _clear(pair, i[some], j[some])
             own += [(float(costs[b]), (int(i[b]), int(j[b]))) for b in some[clear]]
-            if len(own) >= KEPT:
+            if len(own) >= kept:
                 break
-        found[one, two] = own[:KEPT]
-        found[two, one] = [(cost, (b, a)) for cost, (a, b) in own[:KEPT]]
+        found[one, two] = own[:kept]
+        found[two, one] = [(cost, (b, a)) for cost, (a, b) in own[:kept]]
     return found
 
 

@@ -4,6 +4,8 @@ As in a skeleton, the tree's root moves straight and every other point has polar
 parent. Interpolated linearly, each link turns evenly by its own rotation; which multiple of 2 pi belongs to
 it follows along the tree. A part turns, and the link to it, by no more than half a turn more or less than
 its parent turns: what turns together goes the same way round. Only the root is free: it turns the short way.
+
+A part's root is that of its star-skeleton where the blend hangs on one, else the middle of its rings.
 """
 
 from collections.abc import Sequence

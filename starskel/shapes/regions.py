@@ -21,7 +21,7 @@ def decompose_region(pair: Correspondence, task: Task) -> Decomposition:
     """
     if len(pair.starts) == 1:
         return decompose(pair, progress=task.reach, should_stop=task.should_stop)
-    rows = halves(pair, chain_of(pair, task.part(0, 0)))
+    rows = halves(pair, chain_of(pair, task.quiet))
     parts = [
         decompose(
             _half(pair, own), progress=task.part(k / 2, (k + 1) / 2).reach, should_stop=task.should_stop

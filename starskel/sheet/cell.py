@@ -9,6 +9,7 @@ from starskel.predicates import Floats
 from starskel.sheet import style
 from starskel.sheet.drawing import Area, Disc, Item, Label, Line, Place, Stroke
 from starskel.sheet.keyframe import Keyframe, PlacedSkeleton
+from starskel.sheet.shape_keyframe import ShapeKeyframe
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,8 +35,11 @@ class Placement:
         return (points - self.centre) * self.scale + self.place
 
 
-def cell(frame: Keyframe, on_paper: Placement) -> Iterator[Item]:
+def cell(frame: Keyframe | ShapeKeyframe, on_paper: Placement) -> Iterator[Item]:
     """Give what is drawn of a keyframe: fill or star pieces, outline, skeleton, crossings, pins."""
+    if isinstance(frame, ShapeKeyframe):
+        yield from _shape(frame, on_paper)
+        return
     ring = on_paper(frame.ring)
     if frame.pieces:
         yield from _pieces([on_paper(piece) for piece in frame.pieces])
@@ -71,7 +75,19 @@ def _strokes(place: Place, radius: float, lines: list[list[Place]]) -> Iterator[
         yield Line(np.array(place) + radius * np.array(line), Stroke(style.PAPER, 0.3 * radius))
 
 
-def _outline(frame: Keyframe) -> Stroke:
+def _shape(frame: ShapeKeyframe, on_paper: Placement) -> Iterator[Item]:
+    """Draw each part as one path with its holes, then the meta-skeleton: roots joined by links."""
+    for outline, *holes in frame.parts:
+        rings = tuple(on_paper(hole) for hole in holes)
+        yield Area(on_paper(outline), style.fill(frame.t), _outline(frame), rings)
+    for link in frame.tree:
+        yield Line(on_paper(link), style.SKELETON_LINE)
+    for x, y in on_paper(np.unique(frame.tree.reshape(-1, 2), axis=0)).tolist():
+        yield Disc((x, y), 1.5, style.SKELETON)
+    yield from _crossings(on_paper(frame.crossings))
+
+
+def _outline(frame: Keyframe | ShapeKeyframe) -> Stroke:
     return style.OUTLINE if frame.simple else style.CROSSING_OUTLINE
 
 

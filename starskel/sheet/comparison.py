@@ -5,13 +5,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from starskel.quality import Report
+from starskel.quality import Report, ShapeReport
 from starskel.sheet import style
 from starskel.sheet.cell import cross_sign, layers_sign, tick_sign
 from starskel.sheet.drawing import Area, Colour, Drawing, Item, Label, Line, Place
 from starskel.sheet.keyframe import Keyframe
 from starskel.sheet.rows import Grid
-from starskel.sheet.words import Kind, figures, kind_of, verdict
+from starskel.sheet.shape_keyframe import ShapeKeyframe
+from starskel.sheet.words import Kind, figures, kind_of, shape_figures, shape_verdict, verdict
 
 _TITLE = 34.0
 _HEAD = 20.0
@@ -47,12 +48,18 @@ class Row:
     kind: Kind
     verdict: str
     figures: tuple[str, ...]
-    frames: tuple[Keyframe, ...]
+    frames: tuple[Keyframe | ShapeKeyframe, ...]
 
     @classmethod
     def of(cls, name: str, report: Report, frames: tuple[Keyframe, ...]) -> "Row":
         """Give the row of a method that was measured."""
         return cls(name, kind_of(report), verdict(report), figures(report), frames)
+
+    @classmethod
+    def of_shapes(cls, name: str, report: ShapeReport, frames: tuple[ShapeKeyframe, ...]) -> "Row":
+        """Give the row of a blend of shapes that was measured."""
+        kind: Kind = "simple" if report.simple else "harmful"
+        return cls(name, kind, shape_verdict(report), shape_figures(report), frames)
 
 
 def comparison_sheet(title: str, rows: Sequence[Row], titled: bool = True) -> Drawing:

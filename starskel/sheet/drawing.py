@@ -24,11 +24,12 @@ class Stroke:
 
 @dataclass(frozen=True, eq=False)
 class Area:
-    """A closed ring, filled (by the non-zero rule) or outlined or both."""
+    """A closed ring, filled or outlined or both; by the non-zero rule, with holes by the even-odd rule."""
 
     ring: Floats
     fill: Colour | None = None
     stroke: Stroke | None = None
+    holes: tuple[Floats, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

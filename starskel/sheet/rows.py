@@ -9,6 +9,7 @@ from starskel.sheet import style
 from starskel.sheet.cell import Placement, cell, cross_sign
 from starskel.sheet.drawing import Drawing, Group, Item, Label, Place
 from starskel.sheet.keyframe import Keyframe
+from starskel.sheet.shape_keyframe import ShapeKeyframe
 
 LONGEST = 12
 """Frames that stand in one row before a new one begins."""
@@ -34,13 +35,13 @@ class Grid:
     height: float
 
     @classmethod
-    def of(cls, frames: Sequence[Keyframe]) -> "Grid":
+    def of(cls, frames: Sequence[Keyframe | ShapeKeyframe]) -> "Grid":
         """Give the grid whose largest frame fills a cell."""
         width, height = np.max([np.ptp(frame.box, axis=0) for frame in frames], axis=0).tolist()
         scale = style.CELL / max(width, height)
         return cls(scale, width * scale, height * scale)
 
-    def cell(self, name: str, frame: Keyframe, middle: Place) -> Group:
+    def cell(self, name: str, frame: Keyframe | ShapeKeyframe, middle: Place) -> Group:
         """Give a frame with the middle of its box there, and a sign at the corner where it meets itself."""
         on_paper = Placement(self.scale, frame.box.mean(axis=0), np.array(middle))
         items = list(cell(frame, on_paper))
@@ -50,7 +51,7 @@ class Grid:
         return Group(name, tuple(items))
 
 
-def row_sheet(title: str, frames: Sequence[Keyframe], captions: bool = True) -> Drawing:
+def row_sheet(title: str, frames: Sequence[Keyframe | ShapeKeyframe], captions: bool = True) -> Drawing:
     """Give the frames in a row; after `LONGEST` of them another one begins."""
     grid = Grid.of(frames)
     columns = min(len(frames), LONGEST)
@@ -71,7 +72,9 @@ def row_sheet(title: str, frames: Sequence[Keyframe], captions: bool = True) -> 
     return Drawing(title, width, height, tuple(items()))
 
 
-def page_sheets(title: str, frames: Sequence[Keyframe], captions: bool = True) -> tuple[Drawing, ...]:
+def page_sheets(
+    title: str, frames: Sequence[Keyframe | ShapeKeyframe], captions: bool = True
+) -> tuple[Drawing, ...]:
     """Give a page for each frame, all with one view of the user's plane, so that they can be flipped."""
     corners = np.concatenate([frame.box for frame in frames])
     low, high = corners.min(axis=0), corners.max(axis=0)
@@ -81,7 +84,7 @@ def page_sheets(title: str, frames: Sequence[Keyframe], captions: bool = True) -
     on_paper = Placement(scale, low, margin)
     width, height = (on_paper(high) + style.MARGIN).tolist()
 
-    def page(number: int, frame: Keyframe) -> Drawing:
+    def page(number: int, frame: Keyframe | ShapeKeyframe) -> Drawing:
         items: list[Item] = [Group(f"frame-{number}", tuple(cell(frame, on_paper)))]
         if captions:
             items.append(caption(frame, (width / 2, style.MARGIN)))
@@ -90,7 +93,7 @@ def page_sheets(title: str, frames: Sequence[Keyframe], captions: bool = True) -
     return tuple(page(number, frame) for number, frame in enumerate(frames))
 
 
-def caption(frame: Keyframe, place: Place) -> Label:
+def caption(frame: Keyframe | ShapeKeyframe, place: Place) -> Label:
     """Give the time of a frame as a line of text, in the colour of warning where the frame meets itself."""
     colour = style.FAINT if frame.simple else style.CROSSING
     return Label(f"t = {frame.t:.3g}", place, style.TEXT_SIZE, colour, "middle")

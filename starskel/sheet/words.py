@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Literal
 
-from starskel.quality import Report
+from starskel.quality import Report, ShapeReport
 
 Kind = Literal["simple", "natural", "harmful"]
 
@@ -18,7 +18,8 @@ def kind_of(report: Report) -> Kind:
 def verdict(report: Report) -> str:
     """Say whether the blend is simple, or when it crosses itself."""
     if report.simple:
-        return "simple, proven" if report.proven else "simple"
+        known = f"proven, {report.how}" if report.how else "simple, proven"
+        return known if report.proven else "simple"
     if report.natural:
         return f"natural crossing at t = {crossing_words(report)}"
     natural = f", natural in {counted(len(report.natural_frames), 'frame')}" if report.natural_frames else ""
@@ -56,6 +57,22 @@ def figures(report: Report) -> tuple[str, ...]:
     if report.negative_lengths:
         times = spans(report.times.tolist(), report.negative_lengths)
         lines.append(f"negative lengths at t = {times}")
+    return tuple(lines)
+
+
+def shape_verdict(report: ShapeReport) -> str:
+    """Say whether all rings of a blend of shapes are simple and holes inside, or when they are not."""
+    if report.simple:
+        return "simple"
+    times = spans(report.times.tolist(), report.crossing_frames)
+    return f"{'crosses' if report.crosses.any() else 'holes stray'} at t = {times}"
+
+
+def shape_figures(report: ShapeReport) -> tuple[str, ...]:
+    """Say how far the area drifts, and by how much parts come to overlap, a line each."""
+    lines = [f"area drift {percent(report.area_deviation)}"]
+    if report.overlap > 0.0005:
+        lines.append(f"parts overlap by {percent(report.overlap)}")
     return tuple(lines)
 
 

@@ -48,6 +48,7 @@ def window(qtbot: QtBot) -> Iterator[MainWindow]:
     assert isinstance(application, QApplication)
     apply_theme(application, LIGHT)
     window = MainWindow(Session())
+    window.resize(1280, 860)  # its usual size, which the screen that there is not would not allow
     window.show()
     qtbot.waitExposed(window)
     window.session.new()
@@ -59,6 +60,7 @@ def window(qtbot: QtBot) -> Iterator[MainWindow]:
         window.close()
         leave_clipboard()
         window.deleteLater()
+        application.clipboard().clear()  # without a screen it would outlive Python, and end it with a signal
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 

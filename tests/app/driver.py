@@ -130,7 +130,6 @@ def type_name(dialog: QWidget, name: str) -> None:
     """Type the name of a file and press Enter."""
     field = dialog.findChild(QLineEdit, "fileNameEdit")
     assert field is not None
-    QTest.qWait(100)  # it reads its folder in a thread of its own, and then selects what it suggests
     field.selectAll()
     QTest.keyClicks(field, name)
     QTest.keyClick(field, Qt.Key.Key_Return)

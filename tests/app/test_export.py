@@ -5,6 +5,7 @@ import pytest
 
 from app.compute import Result
 from app.export import ENDINGS, Choice, Layout, write
+from app.model.easing import Easing
 from starskel import InvalidFile, blend, match, measure
 from starskel.files.examples import example
 
@@ -51,3 +52,12 @@ def test_an_ending_that_does_not_fit_is_refused_before_anything_is_written(
     with pytest.raises(InvalidFile, match="end it in"):
         write(tmp_path / "out.png", "Star", Choice("row", "vertex"), results)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_keyframes_are_apart_as_they_are_played() -> None:
+    easing = Easing((0.4, 0.0), (0.6, 1.0))
+    times = Choice("row", "vertex", frames=5, easing=easing).times
+    assert times == [easing.t(time) for time in (0, 0.25, 0.5, 0.75, 1)]
+    assert times[1] < 0.2
+    assert Choice("row", "vertex", frames=5).times == [0, 0.25, 0.5, 0.75, 1]
+    assert Choice("frame", "vertex", t=0.3, easing=easing).times == [0.3]

@@ -25,7 +25,7 @@ EVEN = 2e-4
 BISECTIONS = 6
 """How often a link that is not safe is halved before it counts as a gap."""
 
-BATCH = 16_000
+BATCH = 8_000
 """So many vertices of frames are computed before asking again whether to stop."""
 
 

@@ -70,7 +70,9 @@ def metric_of(decomposition: Decomposition, task: Task) -> Metric:
     held = np.where(np.arange(m) < n, HELD / size**2, 0.0)
     one = incidence.T @ sparse.diags_array(weights) @ incidence + sparse.diags_array(held)
     one = sparse.csc_array(one)
+    task.reach(0)
     inner = splu(one[n:, n:]).solve if m > n else None
+    task.reach(0)
     whole = sparse.csc_array(sparse.kron(one, sparse.eye_array(2)))
     return Metric(whole, sparse.csr_array(one[:n, :n]), sparse.csr_array(one[:n, n:]), inner, size)
 

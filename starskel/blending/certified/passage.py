@@ -13,6 +13,7 @@ import numpy as np
 
 from starskel.points import Points, points_of
 from starskel.predicates import Complex, Floats, Indices
+from starskel.task import Task
 from starskel.triangulation import triangulate
 
 Gate = tuple[int, int]
@@ -45,13 +46,14 @@ class Passage:
         return complex(-1j * along / abs(along))
 
 
-def passages(ring: Floats) -> list[Passage]:
+def passages(ring: Floats, task: Task) -> list[Passage]:
     """Give the way out from every edge of a simple ring."""
     points = points_of(ring)
     n = len(ring)
     found: dict[int, Passage] = {}
     hull = _hull(points, n)
     for first, last in pairwise([*hull, hull[0] + n]):
+        task.reach(0)
         lid = first % n, last % n
         if last - first == 1:
             found[first % n] = Passage((), lid)

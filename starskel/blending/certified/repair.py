@@ -20,6 +20,10 @@ DETOUR = 1.1
 """A way that is longer than that wanted by no more than this factor is not compared with others."""
 
 
+MEETINGS = 30
+"""How many moments for changing over are tried."""
+
+
 def bridged(before: Key, after: Key, guide: Guide, pull: Pull, task: Task) -> Chain | None:
     """Give a chain of safe links from one key to another, near a guide's frames; None if none is found."""
     count = max(LEAST_MOMENTS, int(np.ceil(MOMENTS * (after.t - before.t))))
@@ -30,7 +34,7 @@ def bridged(before: Key, after: Key, guide: Guide, pull: Pull, task: Task) -> Ch
     if ahead.ways[-1] < DETOUR * _way(wanted) and pull.linked(ahead.places[-1], after.frame):
         return _retimed([*ahead.frames, after.frame], times[[*ahead.moments(count), count]])
     back = pull.track(wanted[::-1], task.part(0.5, 1))
-    meeting = _meeting(ahead, back, pull.linked)
+    meeting = _meeting(ahead, back, pull.linked, task.part(1, 1))
     if meeting is None:
         return None
     there, rest = ahead.until(meeting), back.until(count - meeting)
@@ -38,11 +42,12 @@ def bridged(before: Key, after: Key, guide: Guide, pull: Pull, task: Task) -> Ch
     return _retimed([*there, *rest[::-1]], np.array(moments))
 
 
-def _meeting(ahead: Track, back: Track, linked: Linked) -> int | None:
+def _meeting(ahead: Track, back: Track, linked: Linked, task: Task) -> int | None:
     """Give the moment at which changing over makes the way shortest, of those where the link is good."""
     across = [np.sqrt(((f - b) ** 2).mean()) for f, b in zip(ahead.places, back.places[::-1], strict=True)]
     whole = ahead.ways + across + back.ways[::-1]
-    for k in np.argsort(whole, kind="stable"):
+    for k in np.argsort(whole, kind="stable")[:MEETINGS]:
+        task.reach(0)
         if linked(ahead.places[k], back.places[-1 - k]):
             return int(k)
     return None

@@ -16,10 +16,11 @@ DEVIATION = 2e-3
 """Keys are left out where the way without them differs by less, at every vertex, as a part of the size."""
 
 
-def thinned(keys: Chain, size: float, linked: Linked) -> Chain:
+def thinned(keys: Chain, size: float, linked: Linked, task: Task) -> Chain:
     """Leave out keys that are not needed, all links still good (Ramer 1972, Douglas and Peucker 1973)."""
     kept, waiting = [keys[0]], [keys]
     while waiting:
+        task.reach(0)
         part = waiting.pop()
         worst, deviation = _worst(part)
         if len(part) == 2 or (deviation < DEVIATION * size and linked(part[0].frame, part[-1].frame)):
@@ -48,8 +49,8 @@ def smoothed(keys: Chain, guide: Guide, linked: Linked, task: Task) -> Chain:
     wanted = guide(times)
     for sweep in range(SWEEPS):
         for first in (1, 2):  # every other key, so that it does not matter where the sweep begins
-            task.reach(sweep / SWEEPS)
             for k in range(first, len(keys) - 1, 2):
+                task.reach(sweep / SWEEPS)
                 share = (times[k] - times[k - 1]) / (times[k + 1] - times[k - 1])
                 away = frames[k - 1 : k + 2] - wanted[k - 1 : k + 2]
                 there = wanted[k] + (away[1] + (1 - share) * away[0] + share * away[2]) / 2

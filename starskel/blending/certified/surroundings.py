@@ -74,7 +74,7 @@ def surroundings_of(decomposition: Decomposition, task: Task) -> Surroundings:
         If no passage leaves pairs of simple polygons: what all are too narrow for is narrower than rounding.
     """
     pair = decomposition.pair
-    for choice in _choices(pair):
+    for choice in _choices(pair, task):
         task.reach(0)
         try:
             return _triangulated(decomposition, choice, task)
@@ -91,11 +91,11 @@ class _Choice(NamedTuple):
     turn: float
 
 
-def _choices(pair: Correspondence) -> Iterator[_Choice]:
+def _choices(pair: Correspondence, task: Task) -> Iterator[_Choice]:
     """Give what passages there are, the easiest first."""
     source, target = (as_complex(ring) for ring in (pair.source, pair.target))
     best = np.angle(np.vdot(source - source.mean(), target - target.mean()))
-    every = list(zip(passages(pair.source), passages(pair.target), strict=True))
+    every = list(zip(passages(pair.source, task), passages(pair.target, task), strict=True))
     turns = np.angle([there.outwards(target) / here.outwards(source) for here, there in every])
     twists = np.angle(np.exp(1j * (turns - best)))
     gates = np.array([len(here.gates) + len(there.gates) for here, there in every])
@@ -146,7 +146,11 @@ def _fans(both: list[Complex], part: Indices, task: Task) -> Fans:
     InvalidPolygon
         If it is not simple, in source or target.
     """
-    source, target = (Polygon(as_points(points[part])).vertices for points in both)
+    rings = []
+    for points in both:
+        task.reach(0)
+        rings.append(Polygon(as_points(points[part])).vertices)
+    source, target = rings
     own = np.arange(len(part))
     pair = Correspondence(source, target, (), own, own)
     return fans_of(decompose(pair, should_stop=task.should_stop), task)

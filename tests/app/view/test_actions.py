@@ -1,5 +1,6 @@
 import pytest
-from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QAccessible, QAction, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractSlider,
@@ -7,6 +8,7 @@ from PySide6.QtWidgets import (
     QComboBox,
     QMenu,
     QScrollBar,
+    QToolButton,
     QWidget,
 )
 
@@ -36,6 +38,46 @@ def test_every_command_is_in_exactly_one_menu(window: MainWindow) -> None:
     in_menus = [a for top in window.menuBar().actions() for a in menu_actions(top.menu())]
     for command in COMMANDS:
         assert window.actions_table[command.name] in in_menus
+
+
+def test_a_screen_reader_finds_every_command_in_the_menus_with_its_name(window: MainWindow) -> None:
+    told = {name for menu in window.menuBar().findChildren(QMenu) for name in names_told(menu)}
+    for command in COMMANDS:
+        action = window.actions_table[command.name]
+        assert action.text().replace("&", "") in told
+        assert action.toolTip()
+        assert action.statusTip()
+
+
+def names_told(menu: QMenu) -> list[str]:
+    """Give what a screen reader says of the entries of a menu."""
+    told = QAccessible.queryAccessibleInterface(menu)
+    entries = [told.child(k) for k in range(told.childCount())]
+    return [entry.text(QAccessible.Text.Name) for entry in entries]
+
+
+def test_every_command_is_reached_by_the_keyboard(window: MainWindow) -> None:
+    """By a shortcut, or by the letters of its menu and its entry."""
+    for top in window.menuBar().actions():
+        assert "&" in top.text()
+        for action in top.menu().actions():
+            assert action.isSeparator() or "&" in action.text(), action.text()
+
+
+def test_a_button_that_shows_only_an_icon_tells_what_it_does(window: MainWindow) -> None:
+    for button in window.findChildren(QToolButton):
+        drawn_alone = button.toolButtonStyle() == Qt.ToolButtonStyle.ToolButtonIconOnly and button.icon()
+        if drawn_alone and not button.objectName().startswith("qt_"):
+            assert not button.icon().isNull(), button.toolTip()
+            assert button.toolTip()
+            assert QAccessible.queryAccessibleInterface(button).text(QAccessible.Text.Name)
+
+
+def test_icons_are_drawn_for_screens_of_twice_the_density(window: MainWindow) -> None:
+    for command in COMMANDS:
+        drawn = window.actions_table[command.name].icon()
+        if not drawn.isNull():
+            assert drawn.pixmap(QSize(24, 24), 2.0).size() == QSize(48, 48)
 
 
 def test_no_shortcut_is_given_twice() -> None:

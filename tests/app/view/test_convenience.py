@@ -16,7 +16,6 @@ from app.view.finder import Finder, matches
 from app.view.main_window import MainWindow
 from app.view.shortcuts import ShortcutsDialog, changed_shortcuts
 from app.view.start import begin
-from app.view.status import time_left
 from starskel.files.project import Project, Step, write_project
 from starskel.polygon import Polygon
 from tests.app.driver import CONTROL, LEFT, PLAIN, SHIFT, SQUARE, Driver
@@ -306,16 +305,6 @@ def test_the_versions_can_be_copied(driver: Driver) -> None:
     assert QGuiApplication.clipboard().text() == versions()
     assert "numpy" in versions()
     assert "Python" in versions()
-
-
-@pytest.mark.parametrize(
-    ("elapsed", "fraction", "expected"),
-    [(0.5, 0.5, None), (10, 0.01, None), (10, 0.9, None), (5, 0.5, 5), (10, 0.25, 30), (7, 0.2, 30)],
-)
-def test_the_time_left_is_told_when_it_is_worth_it(
-    elapsed: float, fraction: float, expected: int | None
-) -> None:
-    assert time_left(elapsed, fraction) == expected
 
 
 def test_the_folder_of_an_export_is_a_click_away(

@@ -13,9 +13,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.model.easing import Easing
 from app.view import files
-from app.view.dialogs import PairDialog
+from app.view.dialogs import PairDialog, SaveDialog
 from app.view.export_dialog import ExportDialog
+from app.view.main_window import MainWindow
 from starskel.files.examples import example
 from starskel.files.pairs import ShapePair, write_pairs
 from starskel.files.project import read_project
@@ -179,6 +181,19 @@ def test_keyframes_are_exported_through_the_dialogs(driver: Driver, tmp_path: Pa
         assert name in driver.window.statusBar().currentMessage()
 
 
+def test_keyframes_are_exported_as_far_apart_as_they_are_played(driver: Driver, tmp_path: Path) -> None:
+    driver.draw_both()
+    driver.wait_for_blends()
+    driver.window.player.set_easing(Easing((0.4, 0.0), (0.6, 1.0)))
+    driver.in_dialog(_exporting(driver, 0, tmp_path / "eased.svg"))
+    driver.key(Qt.Key.Key_E, CONTROL)
+    assert "t = 0.2<" not in (tmp_path / "eased.svg").read_text()
+    driver.window.player.set_easing(Easing())
+    driver.in_dialog(_exporting(driver, 0, tmp_path / "even.svg"))
+    driver.key(Qt.Key.Key_E, CONTROL)
+    assert "t = 0.2<" in (tmp_path / "even.svg").read_text()
+
+
 def test_there_is_nothing_to_export_before_there_is_a_blend(driver: Driver) -> None:
     assert not driver.window.actions_table["export"].isEnabled()
 
@@ -190,6 +205,16 @@ def test_save_as_goes_to_another_file(driver: Driver, tmp_path: Path) -> None:
         driver.key(Qt.Key.Key_S, CONTROL | SHIFT)
         assert (tmp_path / name).exists()
     assert driver.session.path == tmp_path / "two.json"
+
+
+def test_what_was_typed_counts_though_the_folder_was_not_read_yet(window: MainWindow, tmp_path: Path) -> None:
+    """Qt reads folders in a thread; a person who types at once must not get the file that was suggested."""
+    (tmp_path / "one.json").write_text("kept")
+    dialog = SaveDialog(window, "Save", tmp_path / "one.json", [".json"])
+    dialog.open()
+    type_name(dialog, "two")
+    assert not dialog.isVisible()
+    assert [Path(path).name for path in dialog.selectedFiles()] == ["two.json"]
 
 
 def test_a_file_is_not_overwritten_unasked_though_its_ending_was_not_typed(

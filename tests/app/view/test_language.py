@@ -12,6 +12,7 @@ import pytest
 from PySide6.QtCore import QLocale, QTranslator
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 
+import app
 from app.model.document import Document
 from app.view import language, words
 from app.view.counts import COUNTS
@@ -25,6 +26,16 @@ from tests.app.view.test_verdicts import STILL
 FOLDER = resource_folder() / "translations"
 SCRIPT = Path(__file__).parents[3] / ".ci" / "translations.py"
 NAMES = re.compile(r"\{[^}]*\}|%n|\(\*[^)]*\)")
+
+
+ONLY_FOR_PROGRAMS = (
+    "the shapely Polygon has holes",
+    "points of shape",
+    "there is no example",
+    "marks cannot be suggested",
+    "{self.path}: pair",  # of files that the editor does not open
+)
+"""Errors that nobody at the editor meets."""
 
 
 class Message(NamedTuple):
@@ -73,6 +84,22 @@ def test_every_text_is_translated() -> None:
     assert [
         message.source for message in GERMAN if not message.finished or not all(message.translations)
     ] == []
+
+
+def test_every_error_of_the_editor_can_be_told_in_another_language() -> None:
+    """As those of reading and writing files can, and of polygons and marks, which its users meet."""
+    library = SCRIPT.parents[1] / "starskel"
+    met = [
+        library / "polygon.py",
+        library / "triangulation.py",
+        library / "files",
+        library / "correspondence",
+    ]
+    parts = [Path(app.__file__).parent, *met]
+    files = [file for part in parts for file in ([part] if part.is_file() else sorted(part.rglob("*.py")))]
+    untold = re.compile(r"(?:Invalid\w+|StarskelError)\(\s*f?[\"'].*")
+    found = [fault for file in files for fault in untold.findall(file.read_text("utf-8"))]
+    assert [fault for fault in found if not any(text in fault for text in ONLY_FOR_PROGRAMS)] == []
 
 
 def test_translations_take_the_same_values_and_end_alike() -> None:

@@ -45,6 +45,7 @@ def begin(driver: Driver) -> None:
 
 
 def faults(root: QWidget, *names: str) -> list[str]:
+    QApplication.processEvents()  # so that everything has the size that it asked for
     return [*clipped(root), *unnamed(root), *untranslated(root, *names)]
 
 

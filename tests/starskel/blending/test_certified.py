@@ -20,6 +20,8 @@ from starskel.correspondence import match
 from starskel.decomposition import decompose
 from starskel.errors import Cancelled
 from starskel.outline import cross_themselves
+from starskel.polar import as_points
+from starskel.polygon import Polygon
 from starskel.task import UNWATCHED, Task
 from tests.families import comb, spiral, turned, two_opt
 from tests.starskel.blending.cases import CASES, RANDOM, decomposition_of, size_of
@@ -57,7 +59,7 @@ def test_a_blend_that_does_not_cross_stays_as_it_is():
     known = decomposition_of("run-walk")
     made, stitched = CertifiedBlend(known), StitchedBlend(known)
     assert made.how is Way.AS_IT_IS
-    assert f"{made.how}" == "stitched as it is"
+    assert f"{made.how}" == "as stitched"
     ts = np.linspace(0, 1, 51)
     np.testing.assert_allclose(made.frames(ts), stitched.frames(ts), atol=5e-4 * size_of(known.pair))
 
@@ -126,6 +128,36 @@ def test_a_repair_can_be_stopped_at_any_time_and_tells_how_far_it_is():
             CertifiedBlend(known, task=Task(should_stop=lambda left=left: next(left, None) is None))
 
 
+def test_a_crossing_of_a_ten_thousandth_of_the_time_is_caught():
+    ring = np.array([[0.0, 0.0], [4, 0], [4, 3], [2, 1], [0, 3]])
+    deep = ring.copy()
+    deep[3, 1] = -1e-4  # the notch breaks through the bottom, all but at the end
+    after = ring.copy()
+    after[3, 1] = -1.0
+    there = ring + (after - ring) * 0.5
+    keys = np.stack([ring, there, ring])
+    assert first_unsafe(keys) == 0
+    short = np.stack([ring, ring + (deep - ring) * (1 + 1e-12)])
+    assert not cross_themselves((1 - 0.9998) * short[:1] + 0.9998 * short[1:]).any()
+    assert first_unsafe(short) == 0
+
+
+def spiral_band(ends_inside):
+    """A band round more than a full turn, one end inside or outside of the other."""
+    angles = np.linspace(0, 2 * np.pi + 0.5, 30)
+    radii = 1 + ends_inside * 0.35 * np.linspace(-1, 1, 30)
+    ways = np.exp(1j * angles)
+    return Polygon(as_points(np.concatenate([(radii + 0.06) * ways, ((radii - 0.06) * ways)[::-1]])))
+
+
+def test_ends_that_change_places_are_certified_by_a_convex_morph():
+    ends = [(0, 0), (29, 29)]
+    made = CertifiedBlend(decompose(match(spiral_band(1), spiral_band(-1), ends)))
+    assert made.how is Way.CONVEX
+    assert first_unsafe(made.keys) is None
+    assert not cross_themselves(made.frames(np.linspace(0, 1, 2001))).any()
+
+
 RESORTS = ("letter-K-X", "letter-C-S", "wrench-hammer", "arms-swing", *RANDOM)
 
 
@@ -167,7 +199,7 @@ def test_inside_and_outside_fill_the_square_in_source_and_target(name):
 @pytest.mark.parametrize("ring", [spiral(40), comb(5), two_opt(30, 3)], ids=["spiral", "comb", "random"])
 def test_passages_lead_from_every_edge_through_free_gates_to_the_hull(ring):
     outside = shapely.Polygon(ring).convex_hull.buffer(1).difference(shapely.Polygon(ring))
-    for edge, way in enumerate(passages(ring)):
+    for edge, way in enumerate(passages(ring, UNWATCHED)):
         right, left = way.bends(ring[:, 0] + 1j * ring[:, 1])
         for side, start in ((right, edge), (left, (edge + 1) % len(ring))):
             bends = np.stack([side.real, side.imag], axis=1)

@@ -104,3 +104,39 @@ def test_a_place_outside_its_triangle_sees_nothing():
     points = ground.points.with_free(np.array([(-5.0, -5.0), (0.5, 0.5)]))
     rows = len(ground.points.start) + np.arange(2)
     assert not sightlines(ground, Places(points, rows, np.arange(2), np.array([0, 0])), UNWATCHED)[0, 1]
+
+
+def test_a_path_does_not_cross_itself():
+    ring = np.array(
+        [
+            [7.1, 20.8],
+            [6.0, 28.9],
+            [8.6, 46.3],
+            [9.5, 34.7],
+            [14.5, 52.0],
+            [22.4, 32.8],
+            [11.1, 23.4],
+            [31.2, 34.3],
+            [42.6, 38.0],
+            [54.6, 26.9],
+            [56.2, 22.1],
+            [75.4, 9.7],
+            [68.9, 16.9],
+            [67.3, 20.7],
+            [67.0, 17.5],
+            [61.4, 19.9],
+            [60.4, 29.6],
+            [55.1, 38.6],
+            [55.3, 38.6],
+            [66.7, 30.0],
+            [54.8, 39.4],
+            [46.6, 34.6],
+            [42.3, 38.5],
+            [28.1, 34.0],
+            [12.0, 56.8],
+            [9.8, 52.2],
+            [5.1, 30.5],
+        ]
+    )
+    path = np.concatenate([ring[[2]], bends(ring, 2, 16), ring[[16]]])
+    assert shapely.LineString(path).is_simple

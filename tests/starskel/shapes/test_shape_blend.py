@@ -139,6 +139,13 @@ def test_a_certified_blend_takes_no_holes_and_says_so():
     assert farthest(starskel.blend(Shape(I), Shape(I), method="certified").at(0.5), I) < 1e-9 * 100
 
 
+def test_holes_that_no_bridges_join_are_refused_with_a_way_out():
+    pair = starskel.match(Shape(B), Shape(B), pairing=[(0, 0), (1, 2), (2, 1)])
+    with pytest.raises(StarskelError, match="straight bridges that both shapes have; add vertices or marks"):
+        starskel.blend(pair)
+    assert farthest(starskel.blend(pair, method="edge-angle").at(0)[:1], B[:1]) < 1e-9 * 100
+
+
 def test_polygons_are_blended_as_ever():
     ring = I[0]
     assert starskel.blend(ring, ring).at(0.5).shape == (4, 2)

@@ -1,0 +1,125 @@
+"""Files of pairs of shapes, format polygon-multi-pairs/1: lists of rings, holes among them like parts."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import msgspec
+
+from starskel.correspondence.marks import Mark
+from starskel.errors import InvalidFile, InvalidMarks, InvalidPolygon
+from starskel.files.documents import check_format, read_document
+from starskel.files.pairs import by_id, entry_of
+from starskel.files.shapes import Row
+from starskel.shapes.given import Places
+from starskel.shapes.pairing import Link, checked_pairing, suggest_pairing
+from starskel.shapes.shape import Shape
+
+FORMAT = "polygon-multi-pairs/1"
+
+
+class _Place(msgspec.Struct, frozen=True):
+    pair: Link
+    at: Row
+
+
+class _Entry(msgspec.Struct, frozen=True, kw_only=True):
+    id: str
+    source: str = ""
+    p: list[list[Row]]
+    q: list[list[Row]]
+    marks: list[list[Mark]] = []
+    pairing: list[Link] | None = None
+    places: list[_Place] = []
+
+
+class _Document(msgspec.Struct, frozen=True):
+    format: str
+    pairs: list[_Entry]
+
+
+@dataclass(frozen=True)
+class MultiPair:
+    """Two shapes, what of the one becomes what of the other, and their marks, under a name.
+
+    Attributes
+    ----------
+    id : str
+        The name, unique in its file.
+    source, target : Shape
+    pairing : tuple of (int or None, int or None)
+        The rings that become each other: as the file says, else ring by ring where there are equally many of
+        outlines and holes in the same order, else as `suggest_pairing` proposes.
+    marks : tuple of tuples of marks
+        One list for each ring of the source, or none at all.
+    places : mapping from pairs to (x, y)
+        For rings without a partner the point in the other shape.
+    origin : str
+        Where the shapes come from, and their licence.
+    """
+
+    id: str
+    source: Shape
+    target: Shape
+    pairing: tuple[Link, ...]
+    marks: tuple[tuple[Mark, ...], ...]
+    places: Places
+    origin: str
+
+
+class MultiPairsFile:
+    """The pairs of one file; each pair is checked when it is asked for, so that one bad pair spoils no other.
+
+    Attributes
+    ----------
+    path : Path
+        The file.
+    ids : tuple of str
+        The names of its pairs, in the file's order.
+    """
+
+    def __init__(self, path: Path, entries: list[_Entry]) -> None:
+        self.path = path
+        self._entries = by_id(path, entries)
+        self.ids = tuple(self._entries)
+
+    def pair(self, pair_id: str) -> MultiPair:
+        """Give the pair of this name.
+
+        Raises
+        ------
+        InvalidFile
+            If there is none, naming the nearest ones, or if its rings or pairs are invalid.
+        """
+        entry = entry_of(self.path, self._entries, pair_id)
+        side = "source (p)"
+        try:
+            source = Shape(entry.p)
+            side = "target (q)"
+            target = Shape(entry.q)
+            side = "pairing"
+            pairing = checked_pairing(source, target, _pairing(entry, source, target))
+        except (InvalidPolygon, InvalidMarks) as error:
+            raise InvalidFile(f'{self.path}: pair "{entry.id}": {side}: {error.what}', error.mend) from error
+        marks = tuple(map(tuple, entry.marks))
+        places = {place.pair: place.at for place in entry.places}
+        return MultiPair(entry.id, source, target, pairing, marks, places, entry.source)
+
+
+def read_multi_pairs(path: Path) -> MultiPairsFile:
+    """Read a file of pairs of shapes.
+
+    Raises
+    ------
+    InvalidFile
+        If it cannot be read, is no such file, or has no pair or two pairs of one name.
+    """
+    check_format(path, FORMAT)
+    return MultiPairsFile(path, read_document(path, _Document).pairs)
+
+
+def _pairing(entry: _Entry, source: Shape, target: Shape) -> list[Link]:
+    if entry.pairing is not None:
+        return entry.pairing
+    if source.outer == target.outer:
+        return [(k, k) for k in range(len(source))]
+    return suggest_pairing(source, target)

@@ -1,0 +1,91 @@
+"""A keyframe of a blend of shapes: what one cell of a sheet shows, in the user's units."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import shapely
+
+from starskel.outline import cross_themselves
+from starskel.polar import as_points
+from starskel.polygon import crossing_edges, meeting_places
+from starskel.predicates import Floats
+from starskel.shapes.shape_blend import ShapeBlend
+
+
+@dataclass(frozen=True, eq=False)
+class ShapeKeyframe:
+    """The rings at one time.
+
+    Attributes
+    ----------
+    t : float
+        The time, in [0, 1].
+    parts : tuple of tuples of (n, 2) arrays
+        For each part the outline and the holes; those that are a point are left out.
+    tree : (k, 2, 2) array
+        The two ends of each link of the meta-skeleton; none where it is not shown.
+    """
+
+    t: float
+    parts: tuple[tuple[Floats, ...], ...]
+    tree: Floats
+
+    @property
+    def simple(self) -> bool:
+        """Whether no ring meets itself, and holes are inside."""
+        rings = [ring for part in self.parts for ring in part]
+        if any(cross_themselves(ring[None])[0] for ring in rings):
+            return False
+        return all(shapely.is_valid(shapely.Polygon(part[0], part[1:])) for part in self.parts)
+
+    @cached_property
+    def crossings(self) -> Floats:
+        """The places where rings meet themselves, as a (k, 2) array."""
+        rings = [ring for part in self.parts for ring in part]
+        return np.concatenate([meeting_places(ring, crossing_edges(ring)) for ring in rings])
+
+    @property
+    def box(self) -> Floats:
+        """The lower left and the upper right corner of the box round all rings, as rows."""
+        points = np.concatenate([part[0] for part in self.parts])
+        return np.array([points.min(axis=0), points.max(axis=0)])
+
+
+def shape_keyframes(
+    blend: ShapeBlend, times: Sequence[float], skeleton: bool = False
+) -> tuple[ShapeKeyframe, ...]:
+    """Give the keyframes of a blend of shapes, with the meta-skeleton if it is to be seen.
+
+    Raises
+    ------
+    StarskelError
+        Where a time is not a number from 0 to 1.
+    """
+    frames = blend.frames(times)
+    trees = _trees(blend, np.array(times)) if skeleton else np.empty((len(frames), 0, 2, 2))
+    return tuple(
+        ShapeKeyframe(t, _parts(rings, blend.pair.outer), tree)
+        for t, rings, tree in zip(times, frames, trees, strict=True)
+    )
+
+
+def _parts(rings: Sequence[Floats], outer: Sequence[int]) -> tuple[tuple[Floats, ...], ...]:
+    size = max(float(np.ptp(ring, axis=0).max()) for ring in rings)
+    there = [bool(np.ptp(ring, axis=0).max() > 1e-9 * size) for ring in rings]
+    return tuple(
+        (ring, *(rings[k] for k, own in enumerate(outer) if own == number and there[k]))
+        for number, ring in enumerate(rings)
+        if outer[number] < 0 and there[number]
+    )
+
+
+def _trees(blend: ShapeBlend, ts: Floats) -> Floats:
+    """Give the links of the meta-skeleton at each time, (times, k, 2, 2)."""
+    if blend.meta_skeleton is None:
+        return np.empty((len(ts), 0, 2, 2))
+    places = as_points(blend.meta_skeleton.places(ts))
+    tree = blend.meta_skeleton.tree
+    links = np.array([(tree.parents[part], part) for part in tree.order[1:]], dtype=np.intp).reshape(-1, 2)
+    return np.asarray(places[:, links])

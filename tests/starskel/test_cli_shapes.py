@@ -1,0 +1,71 @@
+"""The command on files of pairs of shapes."""
+
+import json
+import re
+import xml.etree.ElementTree as ET
+
+import numpy as np
+import pytest
+
+import starskel
+from starskel.cli import main
+from starskel.files.multi_pairs import read_multi_pairs
+from tests.starskel.files.rendering import needs_ghostscript, rendered_postscript
+from tests.starskel.files.test_multi_pairs import MULTI
+
+PATH = "{http://www.w3.org/2000/svg}path"
+FACE = ("--id", "m-smile-frown")
+
+
+@pytest.fixture(autouse=True)
+def empty_folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+
+
+def test_a_ring_and_its_hole_are_one_path_in_svg(tmp_path):
+    assert main(["blend", str(MULTI), *FACE, "--at", "0.5", "-o", "face.svg"]) == 0
+    paths = ET.parse(tmp_path / "face.svg").findall(f".//{PATH}")
+    rims = [path for path in paths if path.get("fill-rule") == "evenodd"]
+    assert len(paths) == 4
+    assert [len(re.findall("Z", path.get("d", ""))) for path in rims] == [2]
+
+
+@needs_ghostscript
+def test_the_inside_of_the_rim_stays_white_in_eps(tmp_path):
+    assert main(["blend", str(MULTI), *FACE, "--at", "0.5", "--plain", "-o", "face.eps"]) == 0
+    (picture,) = rendered_postscript(tmp_path / "face.eps")
+    height, width = np.shape(picture)[:2]
+    assert (np.asarray(picture)[int(0.3 * height), width // 2] > 250).all()
+
+
+@pytest.mark.parametrize("flag", [[], ["--separate"]])
+def test_json_holds_the_rings_to_the_last_bit(tmp_path, flag):
+    assert main(["blend", str(MULTI), "--id", "m-i-j", *flag, "--frames", "3", "-o", "frames.json"]) == 0
+    document = json.loads((tmp_path / "frames.json").read_text())
+    pair = read_multi_pairs(MULTI).pair("m-i-j")
+    blend = starskel.blend(pair.source, pair.target, pair.marks, pairing=pair.pairing, joined=not flag)
+    assert document["format"] == "starskel-shape-frames/1"
+    assert document["outer"] == [-1, -1]
+    for written, ring in zip(document["frames"][1], blend.frames([0, 0.5, 1])[1], strict=True):
+        np.testing.assert_array_equal(written, ring)
+
+
+def test_a_sheet_compares_the_methods_and_parts_moved_separately(tmp_path):
+    assert main(["compare", str(MULTI), *FACE, "--frames", "3", "--skeleton", "-o", "sheet.svg"]) == 0
+    texts = [e.text for e in ET.parse(tmp_path / "sheet.svg").iter("{http://www.w3.org/2000/svg}text")]
+    assert {"stitched", "edge-angle", "parts separately"} <= set(texts)
+    assert "certified" not in texts  # there is a hole
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ([], "holds 4 pairs; choose one: --id m-i-j"),
+        ([*FACE, "--marks"], "leave out --marks"),
+        ([*FACE, "--step", "1"], "has no steps"),
+        ([*FACE, "--method", "certified"], "takes no holes"),
+    ],
+)
+def test_what_does_not_go_is_said(capsys, words, message):
+    assert main(["blend", str(MULTI), *words, "-o", "out.svg"]) == 2
+    assert message in capsys.readouterr().err
