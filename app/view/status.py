@@ -96,7 +96,6 @@ class Status(QStatusBar):
         session.tool_changed.connect(self._show_hint)
         session.progressed.connect(self._show_progress)
         session.busy_changed.connect(self._show_busy)
-        self._begun = monotonic()
         self._show_hint()
         self._show_busy(session.busy)
 
