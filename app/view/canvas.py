@@ -31,6 +31,9 @@ from app.view.drawing import painting
 MARGIN = 52.0
 """Pixels left free around a fitted shape: room for pins and caption."""
 
+LARGEST_MARGIN = 0.2
+"""No more of a small canvas than this share is left free at each side."""
+
 NOTCH = 1.25
 """Zoom factor of one notch of the wheel."""
 
@@ -126,7 +129,8 @@ class Canvas(QWidget):
         if (picture := document.picture(self.side)) is not None:
             box = box_of_picture(picture)
             extent = np.concatenate([extent, [box.low, box.high]])
-        self.camera = self.camera.fitting(extent, MARGIN)
+        margin = min(MARGIN, LARGEST_MARGIN * min(self.width(), self.height()))
+        self.camera = self.camera.fitting(extent, margin)
         self.update()
 
     def _look(self, camera: Camera) -> None:

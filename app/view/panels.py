@@ -14,8 +14,8 @@ from starskel.predicates import Floats
 HEADING = 43
 """Height of what stands over a panel's frame, in pixels."""
 
-NARROWEST = 170
-"""Width that a verdict needs; panels are narrower only where one row of two would be."""
+NARROWEST = 140
+"""Width that a short verdict needs; panels are narrower only where one row of two would be."""
 
 
 def columns_for(count: int, width: float, height: float, extent: Floats) -> int:

@@ -56,7 +56,6 @@ def window(qtbot: QtBot) -> Iterator[MainWindow]:
             yield window
     finally:
         window.session.new()  # with nothing unsaved, closing asks nothing
-        application.clipboard().clear()  # the platform without a screen would free it after Python has gone
         window.close()
         window.deleteLater()
         application.clipboard().clear()  # without a screen it would outlive Python, and end it with a signal
