@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QFont, QPainter
 
 from app.model.marks import Side
 from app.tools.tool import Tool
+from app.tools.toolbox import TOOLS
 from app.view import words
 from app.view.counts import COUNTS
 from app.view.drawing import pen
@@ -52,7 +53,7 @@ def how_to_draw(tool: Tool) -> str:
         return translate("Canvas", "Click to set each vertex; click the first one again to close.")
     if tool.name in ("select", "mark", "picture"):
         return translate("Canvas", "Take a tool from the left, drop a picture to draw over, or open a file.")
-    return words.hint(tool.hint)
+    return words.hint(TOOLS[tool.name]().hint)  # not what to do with the shape just made on the other canvas
 
 
 def paint_invitation(painter: QPainter, theme: Theme, frame: QRectF, heading: str, how: str) -> None:

@@ -21,7 +21,7 @@ from starskel.task import Task
 MARGINS = (1 / 32, 1 / 8, 1 / 3, 1.0)
 """By how much a gap is widened, in time, where it resists as it is; at last it is the whole."""
 
-WORK = 100_000
+WORK = 150_000
 """What following may cost before the next way is tried, in vertices of frames."""
 
 

@@ -20,10 +20,6 @@ DETOUR = 1.1
 """A way that is longer than that wanted by no more than this factor is not compared with others."""
 
 
-MEETINGS = 30
-"""How many moments for changing over are tried."""
-
-
 def bridged(before: Key, after: Key, guide: Guide, pull: Pull, task: Task) -> Chain | None:
     """Give a chain of safe links from one key to another, near a guide's frames; None if none is found."""
     count = max(LEAST_MOMENTS, int(np.ceil(MOMENTS * (after.t - before.t))))
@@ -46,7 +42,7 @@ def _meeting(ahead: Track, back: Track, linked: Linked, task: Task) -> int | Non
     """Give the moment at which changing over makes the way shortest, of those where the link is good."""
     across = [np.sqrt(((f - b) ** 2).mean()) for f, b in zip(ahead.places, back.places[::-1], strict=True)]
     whole = ahead.ways + across + back.ways[::-1]
-    for k in np.argsort(whole, kind="stable")[:MEETINGS]:
+    for k in np.argsort(whole, kind="stable"):
         task.reach(0)
         if linked(ahead.places[k], back.places[-1 - k]):
             return int(k)

@@ -1,7 +1,10 @@
 import numpy as np
+import pytest
 from PySide6.QtCore import QPointF, QRectF
 
-from app.view.canvas_notes import CLEARANCE, notice_box
+from app.tools.toolbox import TOOLS
+from app.view.canvas_notes import CLEARANCE, how_to_draw, notice_box
+from tests.app.driver import Driver
 from tests.families import subdivided
 
 ROOM = QRectF(10, 36, 600, 300)
@@ -26,3 +29,15 @@ def test_a_notice_about_nothing_lies_on_the_lower_edge() -> None:
 def test_a_notice_without_room_lies_on_the_lower_edge() -> None:
     small = QRectF(0, 0, 210, 60)
     assert notice_box(200, 50, small, [QPointF(100, 30)], RING).bottom() == small.bottom()
+
+
+@pytest.mark.parametrize("name", ["freehand", "rectangle", "text"])
+def test_an_empty_canvas_tells_how_the_tool_in_hand_fills_it(name: str) -> None:
+    assert how_to_draw(TOOLS[name]()) == TOOLS[name]().hint
+
+
+def test_an_empty_canvas_says_nothing_about_the_shape_just_drawn_on_the_other(driver: Driver) -> None:
+    driver.session.choose_tool("freehand")
+    driver.drag("source", (10, 10), (50, 20), (90, 10), (90, 60), (50, 80), (10, 60), (10, 10))
+    assert driver.document.source is not None
+    assert how_to_draw(driver.session.tool) == TOOLS["freehand"]().hint

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Iterator
 
 import pytest
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QEvent, QTimer
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 from pytestqt.qtbot import QtBot
 
@@ -46,6 +46,7 @@ def begin(driver: Driver) -> None:
 
 def faults(root: QWidget, *names: str) -> list[str]:
     QApplication.processEvents()  # so that everything has the size that it asked for
+    QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)  # of news just come
     return [*clipped(root), *unnamed(root), *untranslated(root, *names)]
 
 
