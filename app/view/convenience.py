@@ -1,6 +1,7 @@
 """Finding commands, their shortcuts, the list of edits, and what is kept from one time to the next."""
 
 from collections.abc import Callable
+from dataclasses import fields
 
 from PySide6.QtCore import QObject, Qt, Slot
 from PySide6.QtWidgets import QDockWidget, QMainWindow
@@ -8,9 +9,10 @@ from PySide6.QtWidgets import QDockWidget, QMainWindow
 from app.session import Session
 from app.view.about import AboutDialog
 from app.view.actions import Actions
-from app.view.commands import COMMANDS
+from app.view.display import Layers
 from app.view.finder import Finder
 from app.view.history_list import HistoryList
+from app.view.options import SWITCHES
 from app.view.remembered import (
     remember_last_file,
     remember_layout,
@@ -20,11 +22,8 @@ from app.view.remembered import (
 )
 from app.view.shortcuts import ShortcutsDialog, apply_shortcuts
 
-OTHERWISE = ("marks", "history", "alone")
-"""Switches that are kept with the window's layout, or that belong to a document."""
-
-KEPT = tuple(c.name for c in COMMANDS if c.checkable and not c.group and c.name not in OTHERWISE)
-"""The switches that are as they were at the next start."""
+KEPT = (*SWITCHES, *(field.name for field in fields(Layers)))
+"""The switches that are as they were at the next start: what the tools snap to, and what is shown."""
 
 
 class Convenience(QObject):

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QRectF, QSize, Signal, Slot
-from PySide6.QtGui import QAction, QIcon, QPalette
+from PySide6.QtGui import QAction, QColor, QIcon, QPalette
 from PySide6.QtWidgets import QMenu, QProxyStyle, QStyle, QStyleOption, QWidget
 
 from app.view import words
@@ -100,14 +100,21 @@ class RecentMenu(ProjectMenu):
 
 
 def project_icon(project: Project, palette: QPalette) -> QIcon:
-    """Give a picture of the first shape that has been drawn."""
+    """Give a picture of the first shape that has been drawn, in a second colour for where it is chosen."""
     shape = next((each for each in project.shapes if each is not None), None)
-    picture = layer_of(PICTURE, 2.0)
-    if shape is not None:
-        with painting(picture) as painter:
-            box = QRectF(0, 0, PICTURE.width(), PICTURE.height())
-            paint_thumbnail(painter, box, shape.vertices, theme_of(palette).side("source"))
-    return QIcon(picture)
+    icon = QIcon()
+    theme = theme_of(palette)
+    for mode, colour in (
+        (QIcon.Mode.Normal, theme.side("source")),
+        (QIcon.Mode.Active, QColor(theme.on_accent)),
+    ):
+        picture = layer_of(PICTURE, 2.0)
+        if shape is not None:
+            with painting(picture) as painter:
+                box = QRectF(0, 0, PICTURE.width(), PICTURE.height())
+                paint_thumbnail(painter, box, shape.vertices, colour)
+        icon.addPixmap(picture, mode)
+    return icon
 
 
 def _project(path: Path) -> Project | None:
