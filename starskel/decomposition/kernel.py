@@ -88,8 +88,9 @@ def _kernels(corners: Floats, counts: Indices) -> tuple[Floats, Floats]:
         alive = alive[left]
         step += 1
         done = counts[alive] == step
-        centroids[alive[done]], areas[alive[done]] = _centroids(cells[done])
-        cells, alive = cells[~done], alive[~done]
+        if done.any():
+            centroids[alive[done]], areas[alive[done]] = _centroids(cells[done])
+            cells, alive = cells[~done], alive[~done]
     return centroids, areas
 
 

@@ -46,10 +46,12 @@ def _moved(tiling: Tiling, n: int, side: int, stride: float, task: Task) -> Tili
     A piece that is seen whole only from a common vertex is left alone: another kernel may not contain it.
     """
     points = (tiling.source, tiling.target)[side]
+    around = _around(tiling, n)
+    neighbours = list(dict.fromkeys(piece for pieces in around.values() for piece in pieces))
+    stars = tiling.are_stars(neighbours)
+    touched = {piece for piece, star in zip(neighbours, stars, strict=True) if not star}
     moves: dict[int, Floats] = {}
-    stars = tiling.are_stars(tiling.pieces)
-    touched = {piece for piece, star in zip(tiling.pieces, stars, strict=True) if not star}
-    for vertex, pieces in sorted(_around(tiling, n).items()):
+    for vertex, pieces in sorted(around.items()):
         task.reach(0)
         place = _better(points, vertex, pieces, stride) if touched.isdisjoint(pieces) else None
         if place is not None:
