@@ -4,7 +4,7 @@ import numpy as np
 
 from starskel.correspondence import Correspondence
 from starskel.decomposition.kernel import star_point, star_vertices
-from starskel.decomposition.ladder import climb
+from starskel.decomposition.ladder import climb, triangulated
 from starskel.decomposition.links import links_of
 from starskel.decomposition.minimal import minimal_pieces
 from starskel.decomposition.pieces import Decomposition, Piece
@@ -18,7 +18,6 @@ from starskel.outline import precedes
 from starskel.points import points_of
 from starskel.predicates import Floats
 from starskel.task import Progress, ShouldStop, Task
-from starskel.triangulation import triangulate
 
 ALGORITHMS = ("minimal", "convex")
 
@@ -103,7 +102,7 @@ def _minimal(tiling: Tiling, whole: Piece, steiner: bool, task: Task) -> Tiling:
 
 
 def _convex(tiling: Tiling, whole: Piece, steiner: bool, task: Task) -> Tiling:
-    if tiling.is_star(whole):
+    if tiling.is_star(whole, task.quiet):
         return tiling
     tiling = transfer(tiling, whole, task.part(0, 0.9))
     tiling = _polished(tiling, len(whole), task.part(0.9, 1))
@@ -126,7 +125,8 @@ def _fewest(tiling: Tiling, whole: Piece, task: Task) -> list[Piece] | None:
     ring = np.array(whole)
     if (star_vertices(tiling.source, ring) & star_vertices(tiling.target, ring)).any():
         return [whole]
-    grounds = triangulate(tiling.source, ring), triangulate(tiling.target, ring)
+    task.quiet.reach(0)
+    grounds = triangulated(tiling, whole, task.quiet)
     return minimal_pieces(links_of(*grounds, task.quiet), task)
 
 
@@ -156,9 +156,9 @@ def _origins(tiling: Tiling, piece: Piece, task: Task) -> tuple[Floats, Floats]:
     if len(common):
         return tiling.source.coordinates[common].mean(axis=0), tiling.target.coordinates[common].mean(axis=0)
     task.reach(0)
-    source = star_point(tiling.source, ring)
+    source = star_point(tiling.source, ring, task)
     task.reach(0)
-    target = star_point(tiling.target, ring)
+    target = star_point(tiling.target, ring, task)
     if source is None or target is None:
         raise AssertionError("a piece is not star-shaped")
     return source, target

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from starskel.points import Points, points_of
 from starskel.predicates import ROUNDING, Floats, Indices, Relation
+from starskel.task import UNWATCHED, Task
 
 Entry = TypeVar("Entry", bound=np.generic)
 
@@ -25,13 +26,13 @@ def star_vertices(points: Points, ring: Indices) -> Relation:
     return stars
 
 
-def star_point(points: Points, ring: Indices) -> Floats | None:
+def star_point(points: Points, ring: Indices, task: Task = UNWATCHED) -> Floats | None:
     """Give a point strictly inside the kernel: the kernel's centroid; None where the kernel has no inside."""
-    places, areas = star_points(points, [ring])
+    places, areas = star_points(points, [ring], task)
     return places[0] if areas[0] > 0 else None
 
 
-def star_points(points: Points, rings: Sequence[Indices]) -> tuple[Floats, Floats]:
+def star_points(points: Points, rings: Sequence[Indices], task: Task = UNWATCHED) -> tuple[Floats, Floats]:
     """Give for many rings over points the centroids of their kernels, and the kernels' areas.
 
     Exact predicates prove that the centroid is strictly to the left of all edges, and that the ring goes
@@ -52,7 +53,7 @@ def star_points(points: Points, rings: Sequence[Indices]) -> tuple[Floats, Float
     before[first], after[first + counts - 1] = first + counts - 1, first
     corner = points.orientation(vertices[before], vertices, vertices[after]) != 0  # others bound nothing
     places, areas = _kernels(
-        points.coordinates[vertices[corner]], np.bincount(owner[corner], minlength=len(rings))
+        points.coordinates[vertices[corner]], np.bincount(owner[corner], minlength=len(rings)), task
     )
     placed = points.with_free(places)
     sides = placed.orientation(vertices, vertices[after], len(points.coordinates) + owner)
@@ -73,7 +74,7 @@ def is_star_point(ring: Floats, place: Floats) -> bool:
     return bool((inward >= -ROUNDING * np.abs(ring).max()).all())
 
 
-def _kernels(corners: Floats, counts: Indices) -> tuple[Floats, Floats]:
+def _kernels(corners: Floats, counts: Indices, task: Task) -> tuple[Floats, Floats]:
     """Cut the boxes of rings to the left sides of all edges: centroids and areas of what is left."""
     centroids, areas = np.zeros((len(counts), 2)), np.zeros(len(counts))
     alive = np.flatnonzero(counts > 2)
@@ -87,6 +88,8 @@ def _kernels(corners: Floats, counts: Indices) -> tuple[Floats, Floats]:
         cells, left = _clip(cells, corners[at], corners[after])
         alive = alive[left]
         step += 1
+        if step % _AT_ONCE == 0:
+            task.reach(0)
         done = counts[alive] == step
         if done.any():
             centroids[alive[done]], areas[alive[done]] = _centroids(cells[done])

@@ -26,19 +26,27 @@ Free = Callable[[Tiling, Grounds, Task], Tiling]
 def climb(tiling: Tiling, cell: Piece, free: Free, task: Task) -> Tiling:
     """Replace a cell by pieces that are star-shaped in both polygons, with few Steiner vertices."""
     task.reach(0)
-    if tiling.is_star(cell):
+    if tiling.is_star(cell, task.quiet):
         return tiling
     task.reach(0)
-    grounds = _triangulate(tiling, cell)
+    grounds = triangulated(tiling, cell, task.quiet)
     cells = least_stuck_cells(links_of(*grounds, task), task.quiet)
     parts = [tuple(cell[v] for v in part) for part in cells]
     tiling = tiling.replace(cell, parts)
     for at, part in enumerate(parts):
-        if not tiling.is_star(part):
-            ground = grounds if len(part) == len(cell) else _triangulate(tiling, part)
+        if not tiling.is_star(part, task.quiet):
+            ground = grounds if len(part) == len(cell) else triangulated(tiling, part, task.quiet)
             inner = free(tiling.only(part), ground, task.part(at / len(parts), 1))
             tiling = tiling.refined(part, inner)
     return tiling
+
+
+def triangulated(tiling: Tiling, cell: Piece, task: Task) -> Grounds:
+    """Triangulate a cell in both polygons; that takes long where it is large."""
+    ring = np.array(cell)
+    source = triangulate(tiling.source, ring)
+    task.reach(0)
+    return source, triangulate(tiling.target, ring)
 
 
 def by_fans(tiling: Tiling, grounds: Grounds, most: int, task: Task) -> list[Tiling]:
@@ -66,8 +74,3 @@ def _fill(fan: Fan, task: Task) -> Tiling:
     for pocket in fan.pockets:
         tiling = climb(tiling, pocket, by_fan, task.quiet)
     return tiling
-
-
-def _triangulate(tiling: Tiling, cell: Piece) -> Grounds:
-    ring = np.array(cell)
-    return triangulate(tiling.source, ring), triangulate(tiling.target, ring)

@@ -75,6 +75,7 @@ class _Reduction:
     def _is_star(self, ring: Piece) -> bool:
         """Tell whether a union of pieces is star-shaped, if only from a common vertex."""
         if not self._stars[ring] and ring not in self._common:
+            self._task.reach(0)
             self._common[ring] = self._tiling.has_common_star_vertex(ring)
         return self._stars[ring] or self._common[ring]
 
@@ -96,7 +97,7 @@ class _Reduction:
             self._task.reach(0)
             ends = np.cumsum([len(ring) for ring in waiting])
             count = 1 + int(np.searchsorted(ends[1:], AT_ONCE))
-            stars = self._tiling.are_stars(waiting[:count])
+            stars = self._tiling.are_stars(waiting[:count], self._task.quiet)
             self._stars.update(zip(waiting, stars.tolist(), strict=False))
             waiting = waiting[count:]
 

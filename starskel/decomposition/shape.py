@@ -48,7 +48,7 @@ def _moved(tiling: Tiling, n: int, side: int, stride: float, task: Task) -> Tili
     points = (tiling.source, tiling.target)[side]
     around = _around(tiling, n)
     neighbours = list(dict.fromkeys(piece for pieces in around.values() for piece in pieces))
-    stars = tiling.are_stars(neighbours)
+    stars = tiling.are_stars(neighbours, task)
     touched = {piece for piece, star in zip(neighbours, stars, strict=True) if not star}
     moves: dict[int, Floats] = {}
     for vertex, pieces in sorted(around.items()):

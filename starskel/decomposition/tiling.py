@@ -9,6 +9,7 @@ from starskel.decomposition.kernel import star_points, star_vertices
 from starskel.decomposition.pieces import Piece
 from starskel.points import Points
 from starskel.predicates import Floats, Relation
+from starskel.task import Task
 
 NOWHERE = np.empty((0, 2))
 
@@ -53,9 +54,9 @@ class Tiling:
         """Give the tiling with source and target exchanged."""
         return Tiling(self.target, self.source, self.pieces)
 
-    def is_star(self, piece: Piece) -> bool:
+    def is_star(self, piece: Piece, task: Task) -> bool:
         """Tell whether a simple ring of vertices has a common star vertex, or kernels with an inside."""
-        return self.has_common_star_vertex(piece) or bool(self.are_stars([piece])[0])
+        return self.has_common_star_vertex(piece) or bool(self.are_stars([piece], task)[0])
 
     def has_common_star_vertex(self, piece: Piece) -> bool:
         """Tell whether one of its vertices sees the whole of a simple ring, in both polygons."""
@@ -63,11 +64,11 @@ class Tiling:
         stars = star_vertices(self.source, ring)
         return bool(stars.any() and (stars & star_vertices(self.target, ring)).any())
 
-    def are_stars(self, pieces: Sequence[Piece]) -> Relation:
+    def are_stars(self, pieces: Sequence[Piece], task: Task) -> Relation:
         """Tell which rings of vertices are simple, counter-clockwise and have kernels with an inside."""
         rings = [np.array(piece) for piece in pieces]
         stars: Relation = np.ones(len(rings), dtype=bool)
         for side in (self.source, self.target):
-            _, areas = star_points(side, [rings[k] for k in np.flatnonzero(stars)])
+            _, areas = star_points(side, [rings[k] for k in np.flatnonzero(stars)], task)
             stars[stars] = areas > 0
         return stars
