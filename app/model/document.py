@@ -72,6 +72,8 @@ class Document:
         The shapes that come before the source and after the target, in order.
     pictures : (Picture or None, Picture or None)
         What is behind the source and behind the target, to draw over it.
+    description : str
+        A sentence about it, as the file has it.
     """
 
     name: str = ""
@@ -83,6 +85,7 @@ class Document:
     before: tuple[Neighbour, ...] = ()
     after: tuple[Neighbour, ...] = ()
     pictures: tuple[Picture | None, Picture | None] = (None, None)
+    description: str = ""
 
     def __post_init__(self) -> None:
         check_step(self.source, self.target, self.marks)

@@ -15,7 +15,7 @@ def document_of(project: Project, usual_methods: tuple[str, ...]) -> Document:
     """
     marks = tuple(step.marks for step in project.steps)
     durations = tuple(step.duration for step in project.steps)
-    empty = Document(project.name, methods=project.methods or usual_methods)
+    empty = Document(project.name, methods=project.methods or usual_methods, description=project.description)
     return empty.arranged(Sequence(project.shapes, marks, durations, project.pictures), 0)
 
 
@@ -24,4 +24,6 @@ def project_of(document: Document, name: str) -> Project:
     sequence = document.sequence
     steps = map(Step, sequence.marks, sequence.durations)
     name = document.name or name
-    return Project(name, sequence.shapes, tuple(steps), document.methods, pictures=sequence.pictures)
+    return Project(
+        name, sequence.shapes, tuple(steps), document.methods, document.description, sequence.pictures
+    )
