@@ -10,11 +10,11 @@ import numpy as np
 
 from starskel.blending.fans import Fans
 from starskel.blending.improvement import with_better_edges
-from starskel.blending.mesh import mesh_of, triangle_areas
+from starskel.blending.mesh import Mesh, mesh_of, triangle_areas
 from starskel.blending.stitch import Graph, Stitch, edge_weights, graph_of
 from starskel.outline import Flags, regions_cross
 from starskel.polar import as_points
-from starskel.predicates import Floats
+from starskel.predicates import Complex, Floats
 from starskel.task import Task
 
 
@@ -62,8 +62,8 @@ CHECKED = 512
 TIMES = np.linspace(0, 1, CHECKED + 2)[1:-1]
 """When these frames are: the ends need no look."""
 
-_GLANCE = 4
-"""Only every so many-th frame is looked at first, the others where these do not cross."""
+_GLANCES = (16, 4, 1)
+"""Every so many-th frame is looked at first, then of the others where none of these cross."""
 
 _SQUEEZED = 0.2
 """Triangles under this part of their area are squeezed."""
@@ -71,7 +71,7 @@ _SQUEEZED = 0.2
 _STIFFER = 3.0
 """The factor on the weights round a squeezed triangle, in each round."""
 
-_MOST_POINTS = 4_000_000
+_MOST_POINTS = 2_000_000
 """Fewer rounds where the frames looked at first would have more vertices than this, all together."""
 
 _BATCH = 16_000
@@ -136,40 +136,54 @@ def better(graphs: Graphs, task: Task) -> Iterator[Stitch]:
 
 def _attempts(graphs: Graphs, rung: Rung, task: Task) -> Iterator[tuple[float, Stitch]]:
     """Give stitches, each stiffer where the one before was squeezed, and their shares of crossing frames."""
-    graph, count = graphs.of(rung, task), graphs.count
-    looked_at = count, graphs.starts
+    graph, looked_at = graphs.of(rung, task), (graphs.count, graphs.starts)
     base = edge_weights(graph.mesh, rung.on_ring, rung.yielding)
     stiffness = np.ones(len(graph.mesh.source))
-    affordable = _MOST_POINTS * _GLANCE // (CHECKED * len(LADDER) * count)
+    affordable = _GLANCES[0] * _MOST_POINTS // (CHECKED * len(LADDER) * graphs.count)
     for _ in range(max(1, min(rung.rounds, affordable))):
         weights = base * np.sqrt(stiffness[graph.mesh.edges].prod(axis=1))
         stitch = Stitch.of(graph, weights, rung.dial)
-        times = TIMES[_GLANCE // 2 :: _GLANCE]
-        crossing = _crossing(stitch, times, looked_at, task)
-        if not crossing.any():
-            times = np.setdiff1d(TIMES, times)
-            crossing = _crossing(stitch, times, looked_at, task)
-        yield float(crossing.mean()), stitch
-        squeezed = _squeezed(stitch, times[crossing])
+        share, squeezed = _glanced(stitch, looked_at, task)
+        yield share, stitch
         if not squeezed.any():
             return
         stiffness[np.unique(graph.mesh.triangles[squeezed])] *= _STIFFER
 
 
-def _crossing(stitch: Stitch, ts: Floats, looked_at: tuple[int, tuple[int, ...]], task: Task) -> Flags:
-    """Tell which of the frames at these times cross themselves, of so many points and rings that start so."""
+def _glanced(stitch: Stitch, looked_at: tuple[int, tuple[int, ...]], task: Task) -> tuple[float, Flags]:
+    """Look ever more densely until some frames cross; give their share, and what is squeezed in them."""
+    unseen = np.ones(CHECKED, dtype=np.bool_)
+    for step in _GLANCES:
+        glance = np.zeros_like(unseen)
+        glance[step // 2 :: step] = True
+        share, squeezed = _looked(stitch, TIMES[glance & unseen], looked_at, task)
+        if share:
+            break
+        unseen &= ~glance
+    return share, squeezed
+
+
+def _looked(
+    stitch: Stitch, ts: Floats, looked_at: tuple[int, tuple[int, ...]], task: Task
+) -> tuple[float, Flags]:
+    """Give the share of crossing frames, of so many points and rings that start so, and what is squeezed."""
     count, starts = looked_at
     step = max(1, _BATCH // count)
-    parts = []
+    mesh, crossings = stitch.graph.mesh, 0
+    squeezed = np.zeros(len(mesh.triangles), dtype=np.bool_)
     for k in range(0, len(ts), step):
         task.reach(0)
-        parts.append(regions_cross(as_points(stitch.points(ts[k : k + step])[:, :count]), starts))
-    return np.concatenate(parts)
+        times = ts[k : k + step]
+        points = stitch.points(times)
+        crossing = regions_cross(as_points(points[:, :count]), starts)
+        crossings += int(crossing.sum())
+        squeezed |= _squeezed(mesh, points[crossing], times[crossing])
+    return crossings / len(ts), squeezed
 
 
-def _squeezed(stitch: Stitch, ts: Floats) -> Flags:
+def _squeezed(mesh: Mesh, points: Complex, ts: Floats) -> Flags:
     """Tell which triangles are squeezed at some of the times."""
-    mesh, t = stitch.graph.mesh, ts[:, None]
+    t = ts[:, None]
     wanted = (1 - t) * mesh.source_areas + t * mesh.target_areas
-    there = triangle_areas(stitch.points(ts)[:, mesh.triangles])
+    there = triangle_areas(points[:, mesh.triangles])
     return np.asarray(((wanted > 0) & (there < _SQUEEZED * wanted)).any(axis=0))
