@@ -8,8 +8,7 @@ from typing import Literal
 import numpy as np
 
 from app.compute import Result
-from app.model.easing import Easing
-from app.playback import EVEN
+from starskel.easing import EVEN, Easing
 from starskel.errors import InvalidFile, either, told
 from starskel.files.postscript import write_eps, write_postscript
 from starskel.files.svg import write_svg

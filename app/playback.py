@@ -5,9 +5,7 @@ from enum import Enum
 from itertools import accumulate
 from math import ceil, floor
 
-from app.model.easing import Easing
-
-EVEN = Easing()
+from starskel.easing import EVEN, Easing
 
 FRAMES = 100
 """So many frames apart are source and target; a blend is measured at each of them."""
@@ -19,6 +17,22 @@ class Repeat(Enum):
     ONCE = "once"
     LOOP = "loop"
     PING_PONG = "ping-pong"
+
+
+@dataclass(frozen=True)
+class Pace:
+    """How time runs over a step.
+
+    Attributes
+    ----------
+    length : float
+        How long the step takes, in steps of usual length.
+    easing : Easing
+        How t runs over it; on the way back it runs in reverse.
+    """
+
+    length: float = 1.0
+    easing: Easing = EVEN
 
 
 @dataclass(frozen=True)
@@ -40,10 +54,8 @@ class Playback:
         How many times faster than `duration` says.
     duration : float
         Seconds that a step of length 1 takes at speed 1.
-    easing : Easing
-        How t runs over a step; on the way back it runs in reverse.
-    lengths : tuple of float
-        The lengths of the steps.
+    paces : tuple of Pace
+        How time runs over each of the steps.
     step : int
         The step that was shown last: it decides where two of them meet.
     """
@@ -53,8 +65,7 @@ class Playback:
     repeat: Repeat = Repeat.PING_PONG
     speed: float = 1.0
     duration: float = 3.0
-    easing: Easing = EVEN
-    lengths: tuple[float, ...] = (1.0,)
+    paces: tuple[Pace, ...] = (Pace(),)
     step: int = 0
 
     @property
@@ -71,9 +82,9 @@ class Playback:
         way, bounds = self._way(now), self._bounds
         step = self.step
         if not bounds[step] <= way <= bounds[step + 1]:
-            step = max(k for k in range(len(self.lengths)) if bounds[k] <= way)
+            step = max(k for k in range(len(self.paces)) if bounds[k] <= way)
         start, end = bounds[step : step + 2]
-        return step, self.easing.t(min((way - start) / (end - start), 1.0))
+        return step, self.paces[step].easing.t(min((way - start) / (end - start), 1.0))
 
     def _way(self, now: float) -> float:
         """Give the share of the way that time has gone, in [0, 1]."""
@@ -104,12 +115,12 @@ class Playback:
     def into(self, step: int, t: float, now: float) -> "Playback":
         """Go to t of a step; time runs on from there if it did."""
         start, end = self._bounds[step : step + 2]
-        phase = end if t >= 1 else start + self.easing.time(t) * (end - start)
+        phase = end if t >= 1 else start + self.paces[step].easing.time(t) * (end - start)
         return replace(self, phase=phase, since=now if self.playing else None, step=step)
 
-    def over(self, lengths: tuple[float, ...], step: int, now: float) -> "Playback":
-        """Run through steps of other lengths, and go to one of them; t stays."""
-        return replace(self, lengths=lengths, step=0).into(step, self.t(now), now)
+    def over(self, paces: tuple[Pace, ...], step: int, now: float) -> "Playback":
+        """Run through other steps, and go to one of them; t stays."""
+        return replace(self, paces=paces, step=0).into(step, self.t(now), now)
 
     def at_speed(self, speed: float, now: float) -> "Playback":
         """Change the speed from now on."""
@@ -119,31 +130,29 @@ class Playback:
         """Change what happens at the end; t stays."""
         return replace(self, phase=self._way(now), since=now if self.playing else None, repeat=repeat)
 
-    def eased(self, easing: Easing, now: float) -> "Playback":
-        """Change the easing; t stays."""
-        return replace(self, easing=easing).into(*self.at(now), now)
-
     def advance(self, frames: int, now: float) -> "Playback":
         """Stop, and go on or back by so many of the frames that are measured, to one of them."""
         step, t = self.at(now)
         at = t * FRAMES
         near = round(at)
         whole = near if abs(at - near) < 1e-6 else (floor(at) if frames > 0 else ceil(at))
-        last = FRAMES * len(self.lengths)
+        last = FRAMES * len(self.paces)
         frame = min(max(FRAMES * step + whole + frames, 0), last)
-        step = min(max((frame - (frames > 0)) // FRAMES, 0), len(self.lengths) - 1)
+        step = min(max((frame - (frames > 0)) // FRAMES, 0), len(self.paces) - 1)
         return replace(self, since=None).into(step, (frame - FRAMES * step) / FRAMES, now)
 
     @property
     def _bounds(self) -> list[float]:
         """The shares of the whole way at which steps begin and end."""
-        ends = list(accumulate(self.lengths, initial=0.0))
+        ends = list(accumulate((pace.length for pace in self.paces), initial=0.0))
         return [end / ends[-1] for end in ends]
 
     def _phase(self, now: float) -> float:
         if self.since is None:
             return self.phase
-        return self.phase + (now - self.since) * self.speed / (self.duration * sum(self.lengths))
+        return self.phase + (now - self.since) * self.speed / (
+            self.duration * sum(pace.length for pace in self.paces)
+        )
 
     def _folded(self, now: float) -> float:
         """Give the phase without the rounds done, lest it lose digits; the direction of ping-pong stays."""

@@ -1,28 +1,23 @@
 """Session: the one object that owns what is edited, the tool in hand and the blends."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from app.compute import USUAL_METHODS, Blends, MethodState, Motion, Result, Trace, subjects_of, trace_of
+from app.compute import USUAL_METHODS, Blends, MethodState, Result, Trace, subjects_of, trace_of
 from app.model.document import Document, lost_marks
 from app.model.filing import document_of, project_of
 from app.model.history import History
-from app.model.marks import SIDES, Marks, Side
-from app.model.selection import Selection, everything
-from app.model.texts import QT_TRANSLATE_NOOP
-from app.tools.draw import DrawTool
+from app.model.marks import Marks, Side
+from app.model.selection import Selection
+from app.tools.hand import Hand, Pointed
 from app.tools.marking import replace_marks
-from app.tools.select import SelectTool
 from app.tools.settings import Settings
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
-from app.tools.toolbox import TOOLS
 from starskel.files.project import Project, read_project, write_project
-
-Pointed = tuple[Side, int]
 
 
 class Session(QObject):
@@ -30,18 +25,10 @@ class Session(QObject):
 
     Attributes
     ----------
-    selection : Selection
-        The selected vertices.
+    hand : Hand
+        The tool in hand, what is selected, and what was said last.
     history : History
         What undo and redo go through.
-    tool : Tool
-        The state of the tool in hand.
-    settings : Settings
-        What the user has set for the tools.
-    refusal : Refusal or None
-        The last edit that was not possible, until the next one is tried.
-    lost : int
-        How many marks the last edit of a shape took along, until the next one is begun.
     path : Path or None
         The project file, None before it has one.
     pointed : (side, int) or None
@@ -67,20 +54,14 @@ class Session(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.history = History.of(Document(methods=USUAL_METHODS))
-        self._saved = self.document
         self._blends = Blends(self)
         self._blends.changed.connect(self.results_changed)
         self._blends.suggested.connect(self._take_marks)
         self._blends.progressed.connect(self.progressed)
         self._blends.busy_changed.connect(self.busy_changed)
-        self.selection = Selection()
-        self.tool: Tool = SelectTool()
-        self.settings = Settings()
-        self.refusal: Refusal | None = None
-        self.lost = 0
+        self.hand = Hand()
         self.path: Path | None = None
         self.pointed: Pointed | None = None
-        self._motions: dict[int, Motion] = {}
 
     @property
     def document(self) -> Document:
@@ -88,9 +69,34 @@ class Session(QObject):
         return self.history.document
 
     @property
+    def tool(self) -> Tool:
+        """The state of the tool in hand."""
+        return self.hand.tool
+
+    @property
+    def selection(self) -> Selection:
+        """The selected vertices."""
+        return self.hand.selection
+
+    @property
+    def settings(self) -> Settings:
+        """What the user has set for the tools."""
+        return self.hand.settings
+
+    @property
+    def refusal(self) -> Refusal | None:
+        """The last edit that was not possible, until the next one is tried."""
+        return self.hand.refusal
+
+    @property
+    def lost(self) -> int:
+        """How many marks the last edit of a shape took along, until the next one is begun."""
+        return self.hand.lost
+
+    @property
     def unsaved(self) -> bool:
         """Whether the document differs from its file."""
-        return self.document.showing(0) != self._saved.showing(0)
+        return self.history.unsaved
 
     @property
     def busy(self) -> bool:
@@ -113,11 +119,6 @@ class Session(QObject):
         return self._blends.fresh
 
     @property
-    def motion(self) -> Motion:
-        """What the user has chosen about the star-skeleton of the step on the canvases."""
-        return self._motions.get(self.document.step, Motion())
-
-    @property
     def undoes(self) -> str | None:
         """The name of the edit that undo takes back."""
         return self.history.undoes
@@ -137,35 +138,27 @@ class Session(QObject):
 
     def overlay(self, side: Side) -> Overlay:
         """Give what the tool shows on a canvas."""
-        return self.tool.overlay(self._scene(), side)
+        return self.hand.overlay(self.document, side)
 
     # events from the canvases
 
     def press(self, pointer: Pointer) -> None:
-        if self.selection.side != pointer.side:
-            self.selection = Selection(pointer.side)  # what is worked on is where the user is at work
-        self._answer(self.tool.press(self._scene(), pointer))
+        self._take(*self.hand.press(self.document, pointer))
 
     def double_press(self, pointer: Pointer) -> None:
-        self._answer(self.tool.double_press(self._scene(), pointer))
+        self._take(*self.hand.double_press(self.document, pointer))
 
     def release(self, pointer: Pointer) -> None:
-        response = self.tool.release(self._scene(), pointer)
-        self._answer(replace(response, refusal=response.refusal or self.refusal))
+        self._take(*self.hand.release(self.document, pointer))
 
     def move(self, pointer: Pointer) -> None:
-        """Follow the pointer; a gesture shows at once what it may not do, and else the last refusal stays.
-
-        The blends follow the gesture: they show what releasing here would give.
-        """
-        busy = self.tool.busy
-        response = self.tool.move(self._scene(), pointer)
-        self._answer(response if busy else replace(response, refusal=self.refusal))
-        if self.tool.busy and (document := self.tool.preview(self._scene(), pointer)) is not None:
+        """Follow the pointer; in a gesture the blends show what releasing here would give."""
+        self._take(*self.hand.move(self.document, pointer))
+        if (document := self.hand.preview(self.document, pointer)) is not None:
             self._blend(document, live=True)
 
     def key(self, key: Key) -> None:
-        self._answer(self.tool.key(self._scene(), key))
+        self._take(*self.hand.key(self.document, key))
 
     # commands
 
@@ -174,7 +167,7 @@ class Session(QObject):
         if self.tool.busy and self.tool.name == name:
             return
         if self.finish():
-            self._answer(Response(TOOLS[name]()))
+            self._take(self.hand.take(name))
         else:
             self.tool_changed.emit()  # the tool chosen is not the one in hand
 
@@ -182,37 +175,36 @@ class Session(QObject):
         """Change settings of the tools; what was just made follows them."""
         if settings == self.settings:
             return
-        self.settings = settings
+        taken = self.hand.adjust(self.document, settings)
+        self.hand = replace(self.hand, settings=settings)
         self.settings_changed.emit()
-        self._answer(self.tool.adjust(self._scene()))
+        self._take(*taken)
         self.changed.emit()
 
     def edit(self, verb: Callable[[Scene], Response]) -> None:
         """Do what a verb answers, after the gesture under way is finished."""
         if self.finish():
-            self._answer(verb(self._scene()))
+            self._take(*self.hand.do(self.document, verb))
+
+    def store(self, document: Document, name: str, joins: Hashable = None) -> None:
+        """Store what no gesture changes, as one step of the history; a gesture under way goes on."""
+        self._commit(Commit(document, name, joins))
 
     def finish(self) -> bool:
         """End the gesture under way, so that what was drawn is kept; False where that is not possible."""
-        if self.tool.busy:
-            self._answer(self.tool.finish(self._scene()))
+        self._take(*self.hand.finish(self.document))
         return not self.tool.busy
 
     def cancel(self) -> None:
         """Give up the nearest thing that can be given up: gesture, notice, computation, selection."""
-        if self.tool.busy or self.refusal is not None:
-            self._answer(Response(self.tool.cancel()))
-        elif self.lost:
-            self.lost = 0
-            self.changed.emit()
-        elif self.busy:
+        if self.busy and not self.hand.occupied:
             self._blends.cancel()
         else:
-            self._answer(Response(self.tool, selection=Selection(self.selection.side)))
+            self._take(self.hand.cancel())
 
     def select_all(self, side: Side) -> None:
         if self.finish():
-            self._answer(Response(SelectTool(), selection=everything(self.document, side)))
+            self._take(self.hand.select_all(self.document, side))
 
     def undo(self) -> None:
         """Take back the last edit, or the last vertex of a path that is being drawn."""
@@ -241,38 +233,27 @@ class Session(QObject):
         if self.finish():
             self._blends.suggest(count)
 
-    def compare(self, methods: tuple[str, ...]) -> None:
-        """Choose the methods shown side by side."""
-        self._commit(Commit(self.document.compare(methods), QT_TRANSLATE_NOOP("Step", "Choose methods")))
-
-    def steer(self, motion: Motion) -> None:
-        """Choose the star-skeleton's root and whole turns."""
-        self._motions[self.document.step] = motion
-        self._blend(self.document)
-
     def show_step(self, step: int) -> None:
         """Put another step of the sequence on the canvases, after the gesture under way is finished."""
         if step != self.document.step and self.finish():
-            self.lost = 0
             self.history = self.history.showing(step)
             self._look(Selection(self.selection.side))
 
     def arrange(self, verb: Callable[[], Document], name: str, side: Side) -> None:
         """Change the sequence of key shapes; the shape on this side is the one worked on next."""
         if self.finish() and (document := verb()) != self.document:
-            self._motions = {}
-            self.lost = lost_marks(self.document, document)
+            lost = lost_marks(self.document, document)
             self.history = self.history.push(document, name)
-            self._look(Selection(side))
+            self._look(Selection(side), lost)
 
     def work_on(self, side: Side) -> None:
         """Let the shape on this side be the one worked on."""
         if self.finish():
-            self._answer(Response(self.tool, selection=Selection(side)))
+            self._take(self.hand.select(Selection(side)))
 
-    def _look(self, selection: Selection) -> None:
+    def _look(self, selection: Selection, lost: int = 0) -> None:
         """Show the step that the document is at now."""
-        self.tool, self.selection, self.refusal = TOOLS[self.tool.name](), selection, None
+        self.hand = replace(self.hand.select(selection), lost=lost)
         self.point("source", None)
         self.step_changed.emit()
         self._refresh()
@@ -319,7 +300,7 @@ class Session(QObject):
             If it cannot be written.
         """
         write_project(path, project_of(self.document, path.stem))
-        self.path, self._saved = path, self.document
+        self.path, self.history = path, self.history.saving()
         self.document_changed.emit()
 
     # how answers and documents come in
@@ -328,60 +309,40 @@ class Session(QObject):
     def _take_marks(self, marks: Marks) -> None:
         self.edit(partial(replace_marks, marks=marks))
 
-    def _scene(self) -> Scene:
-        return Scene(self.document, self.selection, self.settings)
-
-    def _answer(self, response: Response) -> None:
-        former = self.tool, self.refusal, self.selection, self.lost
-        self.tool, self.refusal = response.tool, response.refusal
-        if self.refusal is not None or self.tool.busy:
-            self.lost = 0
-        if response.selection is not None:
-            self.selection = response.selection
-        if response.commit is not None:
-            self._commit(response.commit)
-        elif former[0].busy and not self.tool.busy:
+    def _take(self, hand: Hand, commit: Commit | None = None) -> None:
+        """Take in what came of an event."""
+        former, self.hand = self.hand, hand
+        if commit is not None:
+            self._commit(commit)
+        elif former.busy and not hand.busy:
             self._blend(self.document)  # the gesture was given up
-        if type(former[0]) is not type(self.tool):
+        if type(former.tool) is not type(hand.tool):
             self.tool_changed.emit()
-        if self.tool != former[0]:
-            self._point_by_tool()
-        now = self.tool, self.refusal, self.selection, self.lost
-        if now != former:  # most moves of the pointer change nothing
+        if former.tool != hand.tool:
+            self.point(*(hand.pointed(self.document) or ("source", None)))
+        if self.hand != former:  # most moves of the pointer change nothing
             self.changed.emit()
-
-    def _point_by_tool(self) -> None:
-        for side in () if self.tool.busy else SIDES:
-            if (vertex := self.overlay(side).vertex) is not None:
-                return self.point(side, vertex)
-        return self.point("source", None)
 
     def _commit(self, commit: Commit) -> None:
         if commit.document == self.document:
             self._blend(self.document)  # the gesture ended where it began
             return
-        self.lost = lost_marks(self.document, commit.document)
+        self.hand = replace(self.hand, lost=lost_marks(self.document, commit.document))
         self.history = self.history.push(commit.document, commit.name, commit.joins)
         self._refresh()
 
     def _travel(self, history: History) -> None:
-        former = self.document
-        self.history = history
-        self.selection = self.selection.after(former, self.document)
-        self.lost = 0
-        self.tool = TOOLS[self.tool.name]()
-        self.refusal = None
+        former, self.history = self.document, history
         now = self.document
-        if (former.step, former.sequence.steps) != (now.step, now.sequence.steps):
+        self.hand = self.hand.select(self.selection.after(former, now))
+        if (former.step, len(former.sequence.steps)) != (now.step, len(now.sequence.steps)):
             self.step_changed.emit()
         self._refresh()
 
     def _start(self, document: Document, path: Path | None) -> None:
         self.history = History.of(document)
-        self._saved, self.path = document, path
-        self.selection, self.refusal, self.lost = Selection(), None, 0
-        self.tool = SelectTool() if document.source or document.target else DrawTool()
-        self._motions = {}
+        self.path = path
+        self.hand = self.hand.for_document(document)
         self._blends.forget()
         self.tool_changed.emit()
         self.opened.emit()
@@ -393,6 +354,4 @@ class Session(QObject):
         self._blend(self.document)
 
     def _blend(self, document: Document, *, live: bool = False) -> None:
-        self._blends.show(
-            subjects_of(document.sequence, self._motions), document.step, document.methods, live=live
-        )
+        self._blends.show(subjects_of(document.sequence), document.step, document.methods, live=live)

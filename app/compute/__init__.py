@@ -2,8 +2,9 @@
 
 from app.compute.blends import USUAL_METHODS, Blends
 from app.compute.computer import Computer
-from app.compute.request import STEERED, Failure, MethodState, Motion, Request, Result, Subject, subjects_of
+from app.compute.request import Failure, MethodState, Request, Result, Subject, subjects_of
 from app.compute.trace import Trace, trace_of
+from starskel.blending import STEERED
 
 __all__ = [
     "STEERED",
@@ -12,7 +13,6 @@ __all__ = [
     "Computer",
     "Failure",
     "MethodState",
-    "Motion",
     "Request",
     "Result",
     "Subject",

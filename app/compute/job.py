@@ -91,13 +91,13 @@ class Job:
 
     def _blend(self, method: str, step: int) -> Blend:
         self._report(method, step, 0.0)
-        motion = self._request.subject.of(method).motion
+        subject = self._request.subject.of(method)
         made = blend(
             self._matched(),
             method=method,
             decomposition=self._decomposition,
-            root=None if motion.root is None else self._piece_at(motion.root),
-            turns=motion.turns,
+            root=None if subject.root is None else self._piece_at(subject.root),
+            turns=subject.turns,
             settled=False,
             progress=partial(self._report, method, step),
             should_stop=self._is_old,
@@ -114,8 +114,7 @@ class Job:
     def _piece_at(self, place: Point) -> int:
         if self._decomposition is None:
             self._decomposition = decompose(self._matched(), should_stop=self._is_old)
-        ways = self._decomposition.source_origins - place
-        return int(np.hypot(*ways.T).argmin())
+        return self._decomposition.piece_at(place)
 
     def _report(self, method: str, step: int, fraction: float) -> None:
         """Report whole percents of the request; the library may call far more often.

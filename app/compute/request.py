@@ -1,6 +1,5 @@
 """What is asked of the worker, and what comes back."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -10,27 +9,9 @@ from app.model.document import Point
 from app.model.marks import Marks
 from app.model.sequence import Sequence
 from starskel import Blend, Report
+from starskel.blending import STEERED
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
-
-STEERED = "star-skeleton"
-"""The method that the root and whole turns make a difference to."""
-
-
-@dataclass(frozen=True)
-class Motion:
-    """How the star-skeleton is to move.
-
-    Attributes
-    ----------
-    root : (float, float) or None
-        The star origin of the source nearest to this place is the root; None leaves the choice to the method.
-    turns : int
-        Whole turns besides, counter-clockwise.
-    """
-
-    root: Point | None = None
-    turns: int = 0
 
 
 @dataclass(frozen=True)
@@ -43,27 +24,30 @@ class Subject:
         The shapes.
     marks : tuple of (int, int)
         What corresponds.
-    motion : Motion
-        What the user has chosen about the star-skeleton.
+    root : (float, float) or None
+        The star origin of the source nearest to this place is to be the star-skeleton's root.
+    turns : int
+        Whole turns that the star-skeleton makes besides.
     """
 
     source: Polygon
     target: Polygon
     marks: Marks = ()
-    motion: Motion = Motion()
+    root: Point | None = None
+    turns: int = 0
 
     def of(self, method: str) -> "Subject":
         """Leave out what makes no difference to a method."""
-        return self if method == STEERED else replace(self, motion=Motion())
+        return self if method == STEERED else replace(self, root=None, turns=0)
 
 
-def subjects_of(sequence: Sequence, motions: Mapping[int, Motion]) -> tuple[Subject | None, ...]:
+def subjects_of(sequence: Sequence) -> tuple[Subject | None, ...]:
     """Give what is to be blended in each step, None where a shape is missing."""
     return tuple(
-        None if source is None or target is None else Subject(source, target, marks, motions.get(k, Motion()))
-        for k, ((source, target), marks) in enumerate(
-            zip(pairwise(sequence.shapes), sequence.marks, strict=True)
-        )
+        None
+        if source is None or target is None
+        else Subject(source, target, step.marks, step.root, step.turns)
+        for (source, target), step in zip(pairwise(sequence.shapes), sequence.steps, strict=True)
     )
 
 

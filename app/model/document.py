@@ -1,52 +1,25 @@
 """Document: a frozen snapshot of all that is edited, with verbs that give new documents."""
 
-from collections.abc import Callable, Collection
-from dataclasses import dataclass, replace
-from functools import cached_property
+from collections.abc import Collection
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
 from app.model import marks as pins
-from app.model.marks import SIDES, Marks, Side
-from app.model.sequence import USUAL, Sequence, check_step
+from app.model.marks import Marks, Place, Side
+from app.model.sequence import Sequence
 from starskel.errors import InvalidPolygon, told
 from starskel.files.picture import Picture
+from starskel.files.step import Step
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
 
 Point = tuple[float, float]
 
-Place = Callable[[int], int | None]
-"""Where each vertex of a shape has gone, None where it is no more."""
-
 
 def _unmoved(vertex: int) -> int:
     return vertex
-
-
-@dataclass(frozen=True)
-class Neighbour:
-    """A key shape that is not on the canvases, and the step that joins it to the next one nearer to them.
-
-    Attributes
-    ----------
-    shape : Polygon or None
-    marks : tuple of (int, int)
-        The marks of the step, from its source to its target.
-    duration : float
-        How long the step takes.
-    picture : Picture or None
-        What is behind the shape.
-    """
-
-    shape: Polygon | None
-    marks: Marks = ()
-    duration: float = USUAL
-    picture: Picture | None = None
-
-    def following(self, side: Side, place: Place) -> "Neighbour":
-        """Give it after vertices of the shape on that side of its step went to other places."""
-        return replace(self, marks=pins.followed(self.marks, side, place))
 
 
 @dataclass(frozen=True)
@@ -60,58 +33,36 @@ class Document:
     ----------
     name : str
         What the user calls it.
-    source, target : Polygon or None
-        The two shapes on the canvases, None where nothing has been drawn yet.
-    marks : tuple of (int, int)
-        A vertex of the source, a vertex of the target, in the order in which they were set.
+    sequence : Sequence
+        The key shapes, and the steps from one to the next.
+    step : int
+        Which step is on the canvases, counted from 0.
     methods : tuple of str
         Names of the blending methods shown side by side.
-    duration : float
-        How long the step from source to target takes.
-    before, after : tuple of Neighbour
-        The shapes that come before the source and after the target, in order.
-    pictures : (Picture or None, Picture or None)
-        What is behind the source and behind the target, to draw over it.
     description : str
         A sentence about it, as the file has it.
     """
 
     name: str = ""
-    source: Polygon | None = None
-    target: Polygon | None = None
-    marks: Marks = ()
+    sequence: Sequence = field(default_factory=Sequence)
+    step: int = 0
     methods: tuple[str, ...] = ()
-    duration: float = USUAL
-    before: tuple[Neighbour, ...] = ()
-    after: tuple[Neighbour, ...] = ()
-    pictures: tuple[Picture | None, Picture | None] = (None, None)
     description: str = ""
 
-    def __post_init__(self) -> None:
-        check_step(self.source, self.target, self.marks)
-        if self.before:
-            check_step(self.before[-1].shape, self.source, self.before[-1].marks)
-        if self.after:
-            check_step(self.target, self.after[0].shape, self.after[0].marks)
+    @classmethod
+    def of(
+        cls, source: Polygon | None = None, target: Polygon | None = None, marks: Marks = ()
+    ) -> "Document":
+        """Give a document of two shapes.
+
+        Raises
+        ------
+        InvalidMarks
+            If the marks do not fit them.
+        """
+        return cls(sequence=Sequence((source, target), (Step(marks),)))
 
     # the whole sequence
-
-    @property
-    def step(self) -> int:
-        """Which step is on the canvases, counted from 0."""
-        return len(self.before)
-
-    @cached_property
-    def sequence(self) -> Sequence:
-        """All shapes, with the marks and the duration of each step."""
-        steps = (*self.before, Neighbour(self.source, self.marks, self.duration), *self.after)
-        former, later = ([each.shape for each in part] for part in (self.before, self.after))
-        return Sequence(
-            (*former, self.source, self.target, *later),
-            tuple(each.marks for each in steps),
-            tuple(each.duration for each in steps),
-            (*(each.picture for each in self.before), *self.pictures, *(each.picture for each in self.after)),
-        )
 
     def shape_on(self, side: Side) -> int:
         """Give the number in the sequence of the shape on this side, from 0 on."""
@@ -119,26 +70,11 @@ class Document:
 
     def showing(self, step: int) -> "Document":
         """Give the same document with another step on the canvases."""
-        return self.arranged(self.sequence, step) if step != self.step else self
+        return replace(self, step=step) if step != self.step else self
 
     def arranged(self, sequence: Sequence, step: int) -> "Document":
         """Replace the whole sequence, with this step of it on the canvases."""
-        shapes, marks, durations = sequence.shapes, sequence.marks, sequence.durations
-        pictures = sequence.pictures
-        before = zip(shapes[:step], marks[:step], durations[:step], pictures[:step], strict=True)
-        after = zip(
-            shapes[step + 2 :], marks[step + 1 :], durations[step + 1 :], pictures[step + 2 :], strict=True
-        )
-        return replace(
-            self,
-            source=shapes[step],
-            target=shapes[step + 1],
-            marks=marks[step],
-            duration=durations[step],
-            before=tuple(Neighbour(*each) for each in before),
-            after=tuple(Neighbour(*each) for each in after),
-            pictures=(pictures[step], pictures[step + 1]),
-        )
+        return replace(self, sequence=sequence, step=step)
 
     def add_shape(self, after: int) -> "Document":
         """Put an empty shape behind another, and show the step to it."""
@@ -157,12 +93,12 @@ class Document:
             If there are but two.
         """
         rest = self.sequence.without(shape)
-        return self.arranged(rest, min(max(shape - 1, 0), rest.steps - 1))
+        return self.arranged(rest, min(max(shape - 1, 0), len(rest.steps) - 1))
 
     def move_shape(self, shape: int, to: int) -> "Document":
         """Move a shape to another number in the sequence, and show a step of it."""
         step = to if self.shape_on("source") == shape else to - 1
-        return self.arranged(self.sequence.moved(shape, to), min(max(step, 0), self.sequence.steps - 1))
+        return self.arranged(self.sequence.moved(shape, to), min(max(step, 0), len(self.sequence.steps) - 1))
 
     def set_duration(self, step: int, duration: float) -> "Document":
         """Let a step take so long.
@@ -174,11 +110,46 @@ class Document:
         """
         return self.arranged(self.sequence.timed(step, duration), self.step)
 
-    # the two shapes on the canvases
+    # what is on the canvases
+
+    @property
+    def way(self) -> Step:
+        """The step from the source to the target."""
+        return self.sequence.steps[self.step]
+
+    @property
+    def source(self) -> Polygon | None:
+        """The shape on the left canvas, None where nothing has been drawn yet."""
+        return self.polygon("source")
+
+    @property
+    def target(self) -> Polygon | None:
+        """The shape on the right canvas, None where nothing has been drawn yet."""
+        return self.polygon("target")
+
+    @property
+    def marks(self) -> Marks:
+        """A vertex of the source, a vertex of the target, in the order in which they were set."""
+        return self.way.marks
+
+    def steer(self, **changes: Any) -> "Document":
+        """Change how the source becomes the target: its easing, root, turns or marks, as `Step` has them.
+
+        Raises
+        ------
+        InvalidMarks
+            If marks cross or do not fit the shapes.
+        """
+        return replace(self, sequence=self.sequence.put_step(self.step, replace(self.way, **changes)))
+
+    def ease_alike(self) -> "Document":
+        """Let t run over every step as over the one on the canvases."""
+        steps = tuple(replace(step, easing=self.way.easing) for step in self.sequence.steps)
+        return replace(self, sequence=replace(self.sequence, steps=steps))
 
     def polygon(self, side: Side) -> Polygon | None:
         """Give the shape on this side."""
-        return self.source if side == "source" else self.target
+        return self.sequence.shapes[self.shape_on(side)]
 
     def vertices(self, side: Side) -> Floats:
         """Give the vertices on this side, (n, 2), none where nothing has been drawn."""
@@ -187,12 +158,11 @@ class Document:
 
     def picture(self, side: Side) -> Picture | None:
         """Give what is behind the shape on this side."""
-        return self.pictures[SIDES.index(side)]
+        return self.sequence.pictures[self.shape_on(side)]
 
     def put_picture(self, side: Side, picture: Picture | None) -> "Document":
         """Put a picture behind the shape on this side, or take it away."""
-        source, target = self.pictures
-        return replace(self, pictures=(picture, target) if side == "source" else (source, picture))
+        return replace(self, sequence=self.sequence.put_picture(self.shape_on(side), picture))
 
     def draw(self, side: Side, polygon: Polygon | None) -> "Document":
         """Replace a whole shape, or remove it; its marks go with it."""
@@ -287,11 +257,11 @@ class Document:
         InvalidMarks
             Naming the new mark and the one that it conflicts with.
         """
-        return replace(self, marks=(*self.marks, (source, target)))
+        return self.steer(marks=(*self.marks, (source, target)))
 
     def unmark(self, index: int) -> "Document":
         """Remove a mark."""
-        return replace(self, marks=self._marks_but(index))
+        return self.steer(marks=self._marks_but(index))
 
     def repin(self, index: int, side: Side, vertex: int) -> "Document":
         """Move one end of a mark to another vertex; the mark keeps its number.
@@ -303,8 +273,8 @@ class Document:
         """
         moved = pins.with_end(self.marks[index], side, vertex)
         rest = self._marks_but(index)
-        replace(self, marks=(*rest, moved))  # checked last, the moved mark is the one that is named
-        return replace(self, marks=(*rest[:index], moved, *rest[index:]))
+        self.steer(marks=(*rest, moved))  # checked last, the moved mark is the one that is named
+        return self.steer(marks=(*rest[:index], moved, *rest[index:]))
 
     def remark(self, marks: Marks) -> "Document":
         """Replace all marks.
@@ -314,7 +284,7 @@ class Document:
         InvalidMarks
             Naming two that conflict.
         """
-        return replace(self, marks=marks)
+        return self.steer(marks=marks)
 
     def compare(self, methods: tuple[str, ...]) -> "Document":
         """Choose the methods shown side by side."""
@@ -339,12 +309,7 @@ class Document:
     def _with(self, side: Side, polygon: Polygon | None, place: Place) -> "Document":
         """Store a shape; it forgets in which order it was given, so that marks mean its own vertices."""
         own = Polygon(polygon.vertices) if polygon is not None else None
-        marks = pins.followed(self.marks, side, place)
-        if side == "source":
-            before = (*self.before[:-1], *(each.following("target", place) for each in self.before[-1:]))
-            return replace(self, source=own, marks=marks, before=before)
-        after = (*(each.following("source", place) for each in self.after[:1]), *self.after[1:])
-        return replace(self, target=own, marks=marks, after=after)
+        return replace(self, sequence=self.sequence.put_shape(self.shape_on(side), own, place))
 
 
 def lost_marks(before: Document, after: Document) -> int:

@@ -2,7 +2,7 @@
 
 from app.model.document import Document
 from app.model.sequence import Sequence
-from starskel.files.project import Project, Step
+from starskel.files.project import Project
 
 
 def document_of(project: Project, usual_methods: tuple[str, ...]) -> Document:
@@ -13,17 +13,18 @@ def document_of(project: Project, usual_methods: tuple[str, ...]) -> Document:
     InvalidMarks
         If marks of it cross.
     """
-    marks = tuple(step.marks for step in project.steps)
-    durations = tuple(step.duration for step in project.steps)
-    empty = Document(project.name, methods=project.methods or usual_methods, description=project.description)
-    return empty.arranged(Sequence(project.shapes, marks, durations, project.pictures), 0)
+    sequence = Sequence(project.shapes, project.steps, project.pictures)
+    return Document(project.name, sequence, 0, project.methods or usual_methods, project.description)
 
 
 def project_of(document: Document, name: str) -> Project:
     """Give a document as a project, under this name where it has none of its own."""
     sequence = document.sequence
-    steps = map(Step, sequence.marks, sequence.durations)
-    name = document.name or name
     return Project(
-        name, sequence.shapes, tuple(steps), document.methods, document.description, sequence.pictures
+        document.name or name,
+        sequence.shapes,
+        sequence.steps,
+        document.methods,
+        document.description,
+        sequence.pictures,
     )

@@ -1,7 +1,7 @@
 """History: the snapshots that undo and redo go through."""
 
 from collections.abc import Hashable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from app.model.document import Document
 
@@ -27,18 +27,33 @@ class Step:
 
 @dataclass(frozen=True)
 class History:
-    """All steps since the document was opened, and the one that is shown.
+    """All steps since the document was opened, the one that is shown, and what is in the file.
 
     Snapshots share their polygons, so a step costs no more than what it changed.
+
+    Attributes
+    ----------
+    steps : tuple of Step
+        All of them, those undone among them.
+    position : int
+        Which one is shown.
+    saved : Document
+        What is in the file, or was there at first.
     """
 
     steps: tuple[Step, ...]
     position: int = 0
+    saved: Document = field(default_factory=Document)
+
+    @property
+    def unsaved(self) -> bool:
+        """Whether the document differs from its file; which step of it is looked at makes no difference."""
+        return self.document.showing(0) != self.saved.showing(0)
 
     @classmethod
     def of(cls, document: Document) -> "History":
         """Start at a document."""
-        return cls((Step(document),))
+        return cls((Step(document),), saved=document)
 
     @property
     def document(self) -> Document:
@@ -61,7 +76,12 @@ class History:
         position = self.position
         if joins is not None and self.steps[position].joins == joins:
             position -= 1
-        return History((*self.steps[: position + 1], Step(document, name, joins)), position + 1)
+        steps = (*self.steps[: position + 1], Step(document, name, joins))
+        return replace(self, steps=steps, position=position + 1)
+
+    def saving(self) -> "History":
+        """Note that the document is in its file as it is now."""
+        return replace(self, saved=self.document)
 
     def showing(self, step: int) -> "History":
         """Show another step of the document: no edit, so nothing is forgotten and nothing can be undone."""

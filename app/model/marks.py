@@ -8,6 +8,9 @@ from starskel.correspondence.marks import Mark
 Side = Literal["source", "target"]
 Marks = tuple[Mark, ...]
 
+Place = Callable[[int], int | None]
+"""Where each vertex of a shape has gone, None where it is no more."""
+
 SIDES: tuple[Side, Side] = ("source", "target")
 
 
@@ -44,7 +47,7 @@ def _turns(a: Mark, b: Mark, c: Mark, side: int) -> bool:
     return (a[side] < b[side]) + (b[side] < c[side]) + (c[side] < a[side]) == 2
 
 
-def followed(marks: Marks, side: Side, place: Callable[[int], int | None]) -> Marks:
+def followed(marks: Marks, side: Side, place: Place) -> Marks:
     """Give the marks after the vertices of one side went to other places; None takes a mark along."""
     return tuple(
         with_end(mark, side, vertex) for mark in marks if (vertex := place(end(mark, side))) is not None
@@ -67,6 +70,6 @@ def after_insertion(vertex: int) -> Callable[[int], int]:
     return lambda v: v + (v >= vertex)
 
 
-def after_deletion(vertices: Collection[int]) -> Callable[[int], int | None]:
+def after_deletion(vertices: Collection[int]) -> Place:
     """Give where vertices are after these are gone."""
     return lambda v: None if v in vertices else v - sum(gone < v for gone in vertices)

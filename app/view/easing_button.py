@@ -1,22 +1,28 @@
 """A button that shows the easing and opens what changes it: presets, and the curve."""
 
+from collections.abc import Hashable
+
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QRectF, QSignalBlocker, QSize, Qt, Slot
 from PySide6.QtGui import QIcon, QPainter
-from PySide6.QtWidgets import QComboBox, QFrame, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QFrame, QPushButton, QToolButton, QVBoxLayout, QWidget
 
-from app.model.easing import PRESETS, Easing
+from app.model.document import Document
+from app.model.easing import PRESETS
+from app.model.texts import QT_TRANSLATE_NOOP
+from app.session import Session
 from app.view.drawing import layer_of, painting
 from app.view.easing_curve import EasingCurve, paint_curve
 from app.view.player import Player
 from app.view.theme import theme_of
+from starskel.easing import Easing
 
 
 class EasingPopup(QFrame):
-    """The presets by name, and the curve below them."""
+    """The presets by name, and the curve below them, of the step on the canvases."""
 
-    def __init__(self, player: Player, parent: QWidget) -> None:
+    def __init__(self, session: Session, player: Player, parent: QWidget) -> None:
         super().__init__(parent, Qt.WindowType.Popup)
-        self._player = player
+        self._session = session
         self.setObjectName("easing-popup")
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.presets = QComboBox()
@@ -26,34 +32,59 @@ class EasingPopup(QFrame):
             self.presets.addItem(QCoreApplication.translate("Easing", name), easing)
         self.presets.addItem(self.tr("As drawn"), None)
         self.curve = EasingCurve(player)
+        self.alike = QPushButton(self.tr("For all steps"))
+        self.alike.setObjectName("easing-alike")
+        self.alike.setToolTip(self.tr("Let t run over all steps as over this one"))
         layout = QVBoxLayout(self)
         layout.setContentsMargins(8, 8, 8, 4)
         layout.addWidget(self.presets)
         layout.addWidget(self.curve)
+        layout.addWidget(self.alike)
         self.presets.currentIndexChanged.connect(self._choose)
         self.curve.edited.connect(self._take)
+        self.alike.clicked.connect(self._spread)
+        session.document_changed.connect(self._follow)
+        self._follow()
 
     @Slot(int)
     def _choose(self, index: int) -> None:
         easing = self.presets.itemData(index)
         if easing is not None:
-            self._player.set_easing(easing)
+            self._store(self._session.document.steer(easing=easing))
 
-    @Slot(object)
-    def _take(self, easing: Easing) -> None:
-        self._player.set_easing(easing)
+    @Slot(object, int)
+    def _take(self, easing: Easing, gesture: int) -> None:
+        document = self._session.document
+        self._store(document.steer(easing=easing), ("easing", document.step, gesture))
+
+    @Slot()
+    def _spread(self) -> None:
+        self._store(self._session.document.ease_alike())
+
+    def _store(self, document: Document, joins: Hashable = None) -> None:
+        self._session.store(document, QT_TRANSLATE_NOOP("Step", "Set easing"), joins)
+
+    @Slot()
+    def _follow(self) -> None:
+        """Show the preset that the easing is, if it is one."""
+        document = self._session.document
+        eases = [easing for _, easing in PRESETS]
+        easing = document.way.easing
         with QSignalBlocker(self.presets):
-            self.presets.setCurrentIndex(self.presets.findData(None))
+            self.presets.setCurrentIndex(eases.index(easing) if easing in eases else len(eases))
+        self.alike.setVisible(len(document.sequence.steps) > 1)
+        self.alike.setEnabled(document.ease_alike() != document)
+        self.curve.update()
 
 
 class EasingButton(QToolButton):
     """Shows the curve in small."""
 
-    def __init__(self, player: Player) -> None:
+    def __init__(self, session: Session, player: Player) -> None:
         super().__init__()
         self._player = player
         self._drawn: Easing | None = None
-        self.popup = EasingPopup(player, self)
+        self.popup = EasingPopup(session, player, self)
         self.setObjectName("easing-button")
         self.setAccessibleName(self.tr("Easing"))
         self.setToolTip(self.tr("Easing: how t runs over the time"))

@@ -6,10 +6,10 @@ from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent, QPainter,
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.model.document import Point
-from app.model.easing import Easing
 from app.view.drawing import painting, pen, polygon_of
 from app.view.player import Player
 from app.view.theme import Theme, theme_of
+from starskel.easing import Easing
 
 MARGIN = 16.0
 """Pixels round the unit square: room for handles on its edge and for the words."""
@@ -31,13 +31,15 @@ COUNT = 49
 class EasingCurve(QWidget):
     """Time to the right, t upwards; a dot shows the moment of the player."""
 
-    edited = Signal(object)
+    edited = Signal(object, int)
+    """The easing as it is to be, and the number of the gesture: what one drag does is undone at once."""
 
     def __init__(self, player: Player) -> None:
         super().__init__()
         self._player = player
         self.handle = 0
         self._dragged = False
+        self._gesture = 0
         self.setObjectName("easing-curve")
         self.setAccessibleName(self.tr("Easing curve"))
         self.setToolTip(self.tr("Drag a handle; arrow keys move it, Space takes the other one"))
@@ -62,7 +64,7 @@ class EasingCurve(QWidget):
     def _move_to(self, at: Point) -> None:
         handles = list(self._handles())
         handles[self.handle] = at
-        self.edited.emit(Easing(*handles))
+        self.edited.emit(Easing(*handles), self._gesture)
 
     # pointer and keys
 
@@ -70,6 +72,7 @@ class EasingCurve(QWidget):
         """Take the nearer handle to where the pointer is."""
         ways = [(self.on_screen(at) - event.position()).manhattanLength() for at in self._handles()]
         self.handle = ways.index(min(ways))
+        self._gesture += 1
         self._dragged = True
         self._follow(event)
 
@@ -79,6 +82,7 @@ class EasingCurve(QWidget):
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         self._dragged = False
+        self._gesture += 1
 
     def _follow(self, event: QMouseEvent) -> None:
         square, place = self._square(), event.position()
@@ -93,6 +97,7 @@ class EasingCurve(QWidget):
             self._move_to((x + way[0], y + way[1]))
         elif event.key() == Qt.Key.Key_Space:
             self.handle = 1 - self.handle
+            self._gesture += 1
             self.update()
         else:
             super().keyPressEvent(event)

@@ -17,10 +17,10 @@ from PySide6.QtWidgets import (
 )
 
 from app.export import ENDINGS, Choice, Layout
-from app.playback import EVEN
 from app.view import words
 from app.view.display import Display
 from app.view.player import Player
+from starskel.easing import EVEN
 
 _LAYOUTS: tuple[tuple[Layout, object], ...] = (
     ("row", QT_TRANSLATE_NOOP("ExportDialog", "Keyframes in a row")),

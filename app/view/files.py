@@ -62,8 +62,7 @@ class Files(QObject):
     def new(self) -> None:
         """Start with empty canvases, at t = 0."""
         if self.may_go():
-            self._player.pause()
-            self._player.seek(0.0)
+            self._player.stop_at(0.0)
             self._session.new()
 
     @Slot()

@@ -1,7 +1,5 @@
 """A view of one blend's frame at the player's t."""
 
-from dataclasses import replace
-
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Slot
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPixmap, QResizeEvent, QWheelEvent
@@ -9,6 +7,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.compute import STEERED, MethodState
 from app.model.document import Point
+from app.model.texts import QT_TRANSLATE_NOOP
 from app.session import Session
 from app.tools.tool import as_point
 from app.view.camera import Camera
@@ -110,7 +109,8 @@ class FrameView(QWidget):
         self.unsetCursor()
         origin = self.origin_at(event.position())
         if event.position() == self._pressed and origin is not None:
-            self._session.steer(replace(self._session.motion, root=origin))
+            document = self._session.document.steer(root=origin)
+            self._session.store(document, QT_TRANSLATE_NOOP("Step", "Choose root"))
 
     def origin_at(self, place: QPointF) -> Point | None:
         """Give where in the source the star origin is that lies under a pixel, where it can be the root."""

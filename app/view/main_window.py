@@ -8,6 +8,7 @@ from PySide6.QtGui import QAction, QCloseEvent
 from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QSplitter, QVBoxLayout, QWidget
 
 from app.model.marks import SIDES, Side, other
+from app.model.texts import QT_TRANSLATE_NOOP
 from app.session import Session
 from app.tools.tool import Key
 from app.view import language, words
@@ -264,7 +265,8 @@ class MainWindow(QMainWindow):
     @Slot(QAction)
     def _compare(self, action: QAction) -> None:
         chosen = [each.data() for each in self._methods.actions() if each.isChecked()]
-        self.session.compare(tuple(chosen or [action.data()]))
+        document = self.session.document.compare(tuple(chosen or [action.data()]))
+        self.session.store(document, QT_TRANSLATE_NOOP("Step", "Choose methods"))
 
     # what the window shows of the session's state
 

@@ -5,8 +5,8 @@ from time import monotonic
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal, Slot
 
-from app.model.easing import Easing
-from app.playback import Playback, Repeat
+from app.playback import Pace, Playback, Repeat
+from starskel.easing import Easing
 
 TICK = 16
 """Milliseconds between frames; t comes from the clock, so a late tick leaves out frames and slows nothing."""
@@ -23,7 +23,7 @@ class Player(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._playback = Playback()
-        self._lengths: tuple[float, ...] = (1.0,)
+        self._paces: tuple[Pace, ...] = (Pace(),)
         self._first = 0
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
@@ -38,21 +38,21 @@ class Player(QObject):
     @property
     def alone(self) -> bool:
         """Whether only one step is played."""
-        return len(self._playback.lengths) < len(self._lengths)
+        return len(self._playback.paces) < len(self._paces)
 
-    def follow(self, lengths: tuple[float, ...], step: int) -> None:
+    def follow(self, paces: tuple[Pace, ...], step: int) -> None:
         """Play through these steps, and show this one now."""
-        if lengths != self._lengths or step != self.step:
-            self._run(lengths, step, alone=self.alone)
+        if paces != self._paces or step != self.step:
+            self._run(paces, step, alone=self.alone)
 
     def set_alone(self, alone: bool) -> None:
         """Play the step that is shown alone, or all of them."""
-        self._run(self._lengths, self.step, alone=alone)
+        self._run(self._paces, self.step, alone=alone)
 
-    def _run(self, lengths: tuple[float, ...], step: int, *, alone: bool) -> None:
-        self._lengths = lengths
+    def _run(self, paces: tuple[Pace, ...], step: int, *, alone: bool) -> None:
+        self._paces = paces
         self._first = step if alone else 0
-        played = lengths[step : step + 1] if alone else lengths
+        played = paces[step : step + 1] if alone else paces
         self._become(self._playback.over(played, step - self._first, monotonic()))
 
     @property
@@ -72,8 +72,8 @@ class Player(QObject):
 
     @property
     def easing(self) -> Easing:
-        """How t runs over the time."""
-        return self._playback.easing
+        """How t runs over the time of the step that is shown."""
+        return self._paces[self.step].easing
 
     @property
     def speed(self) -> float:
@@ -122,9 +122,6 @@ class Player(QObject):
         """Stop, and show this moment."""
         self.pause()
         self.seek(t)
-
-    def set_easing(self, easing: Easing) -> None:
-        self._become(self._playback.eased(easing, monotonic()))
 
     def set_repeat(self, repeat: Repeat) -> None:
         self._become(self._playback.repeating(repeat, monotonic()))

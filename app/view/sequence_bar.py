@@ -96,7 +96,7 @@ class SequenceBar(QWidget):
     @Slot()
     def _follow(self) -> None:
         document = self._session.document
-        self.setVisible(document.sequence.steps > 1)
+        self.setVisible(len(document.sequence.steps) > 1)
         self._letters.setText(words.step_letters(document.step))
         with QSignalBlocker(self.duration):
-            self.duration.setValue(document.duration * Playback.duration)
+            self.duration.setValue(document.way.duration * Playback.duration)

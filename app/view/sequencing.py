@@ -7,8 +7,8 @@ from PySide6.QtCore import QObject, Slot
 
 from app.model.marks import Side
 from app.model.texts import QT_TRANSLATE_NOOP
+from app.playback import Pace
 from app.session import Session
-from app.tools.tool import Commit, Response, Scene
 from app.view.actions import Actions
 from app.view.player import Player
 
@@ -39,7 +39,7 @@ class Sequencing(QObject):
     def show(self, actions: Actions) -> None:
         """Enable what is possible now."""
         document = self._session.document
-        shape, steps = document.shape_on(self._session.selection.side), document.sequence.steps
+        shape, steps = document.shape_on(self._session.selection.side), len(document.sequence.steps)
         for name, possible in (
             ("shape-delete", steps > 1),
             ("shape-earlier", shape > 0),
@@ -47,6 +47,7 @@ class Sequencing(QObject):
             ("step-before", document.step > 0),
             ("step-after", document.step < steps - 1),
             ("alone", steps > 1),
+            ("play", document.sequence.complete),
         ):
             actions[name].setEnabled(possible)
         actions["alone"].setChecked(self._player.alone)
@@ -59,7 +60,10 @@ class Sequencing(QObject):
     @Slot()
     def _follow(self) -> None:
         document = self._session.document
-        self._player.follow(document.sequence.durations, document.step)
+        if self._player.playing and not document.sequence.complete:
+            self._player.stop_at(0.0)
+        steps = document.sequence.steps
+        self._player.follow(tuple(Pace(step.duration, step.easing) for step in steps), document.step)
 
     @Slot(int)
     def _come_into(self, step: int) -> None:
@@ -83,13 +87,10 @@ class Sequencing(QObject):
 
     def set_duration(self, duration: float) -> None:
         """Let the step on the canvases take so long."""
-
-        def timed(scene: Scene) -> Response:
-            document = scene.document.set_duration(scene.document.step, duration)
-            commit = Commit(document, QT_TRANSLATE_NOOP("Step", "Set duration"), ("duration", document.step))
-            return Response(self._session.tool, commit)
-
-        self._session.edit(timed)
+        document = self._session.document
+        timed = document.set_duration(document.step, duration)
+        name = QT_TRANSLATE_NOOP("Step", "Set duration")
+        self._session.store(timed, name, ("duration", document.step))
 
     @Slot()
     def _add(self) -> None:

@@ -1,10 +1,9 @@
 """What steers the star-skeleton, beside its name: whole turns, and the way back to the usual root."""
 
-from dataclasses import replace
-
 from PySide6.QtCore import QSignalBlocker, Slot
 from PySide6.QtWidgets import QHBoxLayout, QSpinBox, QToolButton, QWidget
 
+from app.model.texts import QT_TRANSLATE_NOOP
 from app.session import Session
 
 MOST = 9
@@ -39,19 +38,21 @@ class Steering(QWidget):
         layout.addWidget(self.turns)
         self.turns.valueChanged.connect(self._turn)
         self.root.clicked.connect(self._forget)
-        session.results_changed.connect(self._follow)
+        session.document_changed.connect(self._follow)
         self._follow()
 
     @Slot(int)
     def _turn(self, turns: int) -> None:
-        self._session.steer(replace(self._session.motion, turns=turns))
+        document = self._session.document.steer(turns=turns)
+        self._session.store(document, QT_TRANSLATE_NOOP("Step", "Set whole turns"), ("turns", document.step))
 
     @Slot()
     def _forget(self) -> None:
-        self._session.steer(replace(self._session.motion, root=None))
+        document = self._session.document.steer(root=None)
+        self._session.store(document, QT_TRANSLATE_NOOP("Step", "Take the usual root"))
 
     @Slot()
     def _follow(self) -> None:
-        self.root.setVisible(self._session.motion.root is not None)
+        self.root.setVisible(self._session.document.way.root is not None)
         with QSignalBlocker(self.turns):
-            self.turns.setValue(self._session.motion.turns)
+            self.turns.setValue(self._session.document.way.turns)

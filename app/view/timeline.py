@@ -32,7 +32,7 @@ class Timeline(QWidget):
 
     def __init__(self, session: Session, player: Player, actions: Actions) -> None:
         super().__init__()
-        self._player = player
+        self._session, self._player = session, player
         self.slider = TimeSlider(session, player)
         self.chart = StripChart(session, player)
         self.chart.inset = self.slider.inset
@@ -60,7 +60,7 @@ class Timeline(QWidget):
         row.addSpacing(6)
         row.addWidget(self._repeat_field())
         row.addWidget(self._speed_field())
-        self.easing = EasingButton(self._player)
+        self.easing = EasingButton(self._session, self._player)
         row.addWidget(self.easing)
         return row
 

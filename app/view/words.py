@@ -70,7 +70,7 @@ def step_letters(step: int) -> str:
 
 def canvas(document: Document, side_name: Side) -> str:
     """Give the name of what is on a canvas: with the shape's letter where there are several steps."""
-    if document.sequence.steps == 1:
+    if len(document.sequence.steps) == 1:
         return side(side_name)
     text = (
         translate("Side", "{letter} (source)")
@@ -82,7 +82,7 @@ def canvas(document: Document, side_name: Side) -> str:
 
 def invitation(document: Document, side_name: Side) -> str:
     """Say what is to be drawn on a canvas."""
-    if document.sequence.steps > 1:
+    if len(document.sequence.steps) > 1:
         return translate("Canvas", "Draw shape {letter} here").format(
             letter=letter(document.shape_on(side_name))
         )

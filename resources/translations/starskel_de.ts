@@ -1275,6 +1275,14 @@
         <source>As drawn</source>
         <translation>Wie gezeichnet</translation>
     </message>
+    <message>
+        <source>For all steps</source>
+        <translation>Für alle Schritte</translation>
+    </message>
+    <message>
+        <source>Let t run over all steps as over this one</source>
+        <translation>t über alle Schritte so laufen lassen wie über diesen</translation>
+    </message>
 </context>
 <context>
     <name>Example</name>
@@ -2199,6 +2207,22 @@
     <message>
         <source>Delete key shape</source>
         <translation>Schlüsselform löschen</translation>
+    </message>
+    <message>
+        <source>Set easing</source>
+        <translation>Zeitverlauf setzen</translation>
+    </message>
+    <message>
+        <source>Choose root</source>
+        <translation>Wurzel wählen</translation>
+    </message>
+    <message>
+        <source>Set whole turns</source>
+        <translation>Ganze Drehungen setzen</translation>
+    </message>
+    <message>
+        <source>Take the usual root</source>
+        <translation>Übliche Wurzel nehmen</translation>
     </message>
 </context>
 <context>

@@ -5,3 +5,6 @@ METHODS = ("vertex", "edge-angle", "star-skeleton", "stitched", "rigid", "certif
 
 COMPARED = ("stitched", "certified", "rigid", "star-skeleton", "edge-angle", "vertex")
 """The same in the order in which they are shown side by side: the usual one, then its rivals."""
+
+STEERED = "star-skeleton"
+"""The one that the choice of a root and whole turns make a difference to."""

@@ -2,10 +2,12 @@
 
 from collections.abc import Callable, Iterator, Sequence
 
+from starskel.blending import STEERED
 from starskel.blending.blend import blend
 from starskel.blending.frames import Blend
 from starskel.command.progress import Progress
 from starskel.correspondence import match
+from starskel.decomposition import decompose
 from starskel.decomposition.pieces import Decomposition
 from starskel.files.pairs import ShapePair
 
@@ -32,7 +34,18 @@ def blends(
     for number, method in enumerate(methods):
         with Progress(f"{pair.id}: {method}") as bar:
             progress = bar if watch is None else _shared(watch, method, number, len(methods))
-            made = blend(matched, method=method, decomposition=decomposition, progress=progress)
+            root = None
+            if method == STEERED and pair.root is not None:
+                decomposition = decomposition or decompose(matched)
+                root = decomposition.piece_at(pair.root)
+            made = blend(
+                matched,
+                method=method,
+                decomposition=decomposition,
+                root=root,
+                turns=pair.turns,
+                progress=progress,
+            )
         decomposition = made.decomposition or decomposition
         yield method, made
 

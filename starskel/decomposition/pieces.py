@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 from itertools import pairwise
 
+import numpy as np
+
 from starskel.correspondence import Correspondence
 from starskel.predicates import Floats
 
@@ -32,6 +34,10 @@ class Decomposition:
     pieces: tuple[Piece, ...]
     source_origins: Floats
     target_origins: Floats
+
+    def piece_at(self, place: tuple[float, float]) -> int:
+        """Give the piece whose star origin is nearest to a place of the source."""
+        return int(np.hypot(*(self.source_origins - place).T).argmin())
 
 
 def edges_of(piece: Piece) -> list[tuple[int, int]]:

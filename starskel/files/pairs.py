@@ -54,6 +54,10 @@ class ShapePair:
         The polygons.
     marks : tuple of (int, int)
         A vertex of the source, a vertex of the target.
+    root : (float, float) or None
+        The star origin of the source nearest to this place is the root of the star-skeleton.
+    turns : int
+        Whole turns that the star-skeleton makes besides, counter-clockwise.
     tags : tuple of str
         Words to find it by.
     origin : str
@@ -66,6 +70,8 @@ class ShapePair:
     source: Polygon
     target: Polygon
     marks: tuple[Mark, ...] = ()
+    root: tuple[float, float] | None = None
+    turns: int = 0
     tags: tuple[str, ...] = ()
     origin: str = ""
     description: str = ""
@@ -100,7 +106,7 @@ class PairsFile:
         source = polygon_of(entry.p, told("{where}: {what}", where=where, what=told("source (p)")))
         target = polygon_of(entry.q, told("{where}: {what}", where=where, what=told("target (q)")))
         source, target, marks = marked_shapes(source, target, entry.marks, where)
-        return ShapePair(entry.id, source, target, marks, tuple(entry.tags), entry.source)
+        return ShapePair(entry.id, source, target, marks, tags=tuple(entry.tags), origin=entry.source)
 
 
 def read_pairs(path: Path) -> PairsFile:

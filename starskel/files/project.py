@@ -10,22 +10,27 @@ import msgspec
 
 from starskel.blending import METHODS
 from starskel.correspondence.marks import Mark
+from starskel.easing import Easing
 from starskel.errors import InvalidFile, told
 from starskel.files.documents import check_format, read_document, write_document
 from starskel.files.pairs import ShapePair
-from starskel.files.picture import Picture
+from starskel.files.picture import Picture, Share
 from starskel.files.shapes import Row, marked_shapes, polygon_of, rows_of
+from starskel.files.step import Step
 from starskel.polygon import Polygon
 
 FORMAT = "starskel-project"
-VERSION = 2
+VERSION = 3
 
 
 class _Header(msgspec.Struct, frozen=True):
     version: int = 0
 
 
-class _FirstDocument(msgspec.Struct, frozen=True):
+Duration = Annotated[float, msgspec.Meta(gt=0)]
+
+
+class _First(msgspec.Struct, frozen=True):
     """Version 1: one step, from the source to the target."""
 
     format: str
@@ -37,15 +42,41 @@ class _FirstDocument(msgspec.Struct, frozen=True):
     methods: list[str]
     description: str = ""
 
-    def updated(self) -> "_Document":
+    def updated(self) -> "_Second":
         shapes = [self.source, self.target]
+        steps = [_SecondStep(1.0, self.marks)]
+        return _Second(self.format, 2, self.name, shapes, steps, self.methods, self.description)
+
+
+class _SecondStep(msgspec.Struct, frozen=True):
+    duration: Duration
+    marks: list[Mark]
+
+
+class _Second(msgspec.Struct, frozen=True):
+    """Version 2: several steps, all even and unsteered."""
+
+    format: str
+    version: int
+    name: str
+    shapes: list[list[Row] | None]
+    steps: list[_SecondStep]
+    methods: list[str]
+    description: str = ""
+    pictures: list[Picture | None] = []
+
+    def updated(self) -> "_Document":
+        steps = [_step_of(Step(tuple(step.marks), step.duration)) for step in self.steps]
         return _Document(
-            self.format, VERSION, self.name, shapes, [_Step(1.0, self.marks)], self.methods, self.description
+            self.format, 3, self.name, self.shapes, steps, self.methods, self.description, self.pictures
         )
 
 
 class _Step(msgspec.Struct, frozen=True):
-    duration: Annotated[float, msgspec.Meta(gt=0)]
+    duration: Duration
+    easing: tuple[tuple[Share, Share], tuple[Share, Share]]
+    root: Row | None
+    turns: int
     marks: list[Mark]
 
 
@@ -60,20 +91,7 @@ class _Document(msgspec.Struct, frozen=True):
     pictures: list[Picture | None] = []  # for each shape; files without any may leave it out
 
 
-@dataclass(frozen=True)
-class Step:
-    """The way from one key shape to the next.
-
-    Attributes
-    ----------
-    marks : tuple of (int, int)
-        A vertex of the shape before, a vertex of the shape behind; none while one of them is missing.
-    duration : float
-        How long it takes; the usual length is 1.
-    """
-
-    marks: tuple[Mark, ...] = ()
-    duration: float = 1.0
+_VERSIONS: tuple[type[_First] | type[_Second] | type[_Document], ...] = (_First, _Second, _Document)
 
 
 @dataclass(frozen=True)
@@ -126,8 +144,8 @@ class Project:
                 ),
                 told("draw it in the editor and save"),
             )
-        marks = self.steps[step].marks
-        return ShapePair(self.step_name(step), source, target, marks, description=self.description)
+        way, name = self.steps[step], self.step_name(step)
+        return ShapePair(name, source, target, way.marks, way.root, way.turns, description=self.description)
 
     def step_name(self, step: int) -> str:
         """Give the name of a step: the project's, and the letters of its shapes where there are several."""
@@ -163,7 +181,7 @@ def read_project(path: Path) -> Project:
         for number, rows in enumerate(document.shapes)
     )
     steps = tuple(
-        Step(_marks(path, pair, step, number), step.duration)
+        Step(_marks(path, pair, step, number), step.duration, Easing(*step.easing), step.root, step.turns)
         for number, (pair, step) in enumerate(zip(pairwise(shapes), document.steps, strict=True))
     )
     # the polygons as if they had been given counter-clockwise, as their marks are
@@ -181,7 +199,7 @@ def write_project(path: Path, project: Project) -> None:
         If it cannot be written; an old file stays as it was.
     """
     shapes = [None if shape is None else rows_of(shape) for shape in project.shapes]
-    steps = [_Step(step.duration, list(step.marks)) for step in project.steps]
+    steps = [_step_of(step) for step in project.steps]
     methods, description = list(project.methods), project.description
     pictures = list(project.pictures) if any(project.pictures) else []
     document = _Document(FORMAT, VERSION, project.name, shapes, steps, methods, description, pictures)
@@ -205,7 +223,15 @@ def _read(path: Path) -> _Document:
             told("{path} is a project of version {version}", path=path, version=version),
             told("versions count from 1"),
         )
-    return read_document(path, _FirstDocument).updated() if version == 1 else read_document(path, _Document)
+    document: _First | _Second | _Document = read_document(path, _VERSIONS[version - 1])
+    while not isinstance(document, _Document):
+        document = document.updated()
+    return document
+
+
+def _step_of(step: Step) -> _Step:
+    easing = (step.easing.first, step.easing.second)
+    return _Step(step.duration, easing, step.root, step.turns, list(step.marks))
 
 
 def _check_counts(path: Path, document: _Document) -> None:

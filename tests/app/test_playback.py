@@ -2,8 +2,8 @@ from dataclasses import replace
 
 import pytest
 
-from app.model.easing import Easing
-from app.playback import Playback, Repeat
+from app.playback import Pace, Playback, Repeat
+from starskel.easing import Easing
 
 
 def test_t_follows_the_clock() -> None:
@@ -61,16 +61,16 @@ def test_changing_speed_or_mode_does_not_jump() -> None:
 
 def test_easing_bends_t_and_keeps_the_moment_when_it_changes() -> None:
     slow = Easing((0.5, 0.0), (1.0, 1.0))
-    playback = Playback(duration=1, easing=slow).play(0)
+    playback = Playback(duration=1, paces=(Pace(easing=slow),)).play(0)
     assert playback.t(0.25) < 0.15
     assert playback.t(1.75) == pytest.approx(playback.t(0.25))
-    held = Playback().seek(0.3, 0).eased(slow, 0)
+    held = Playback().seek(0.3, 0).over((Pace(easing=slow),), 0, 0)
     assert held.t(5) == pytest.approx(0.3)
 
 
 @pytest.mark.parametrize("easing", [Easing(), Easing((0.9, 0.1), (0.3, 0.8))])
 def test_steps_go_to_the_frames_that_are_measured(easing: Easing) -> None:
-    playback = Playback(easing=easing).seek(0.423, 0)
+    playback = Playback(paces=(Pace(easing=easing),)).seek(0.423, 0)
     assert playback.advance(1, 0).t(0) == pytest.approx(0.43)
     assert playback.advance(-1, 0).t(0) == pytest.approx(0.42)
     assert playback.advance(1, 0).advance(1, 0).t(0) == pytest.approx(0.44)
@@ -83,7 +83,7 @@ def test_a_step_stops_what_is_playing() -> None:
     assert not Playback().play(0).advance(1, 0.5).playing
 
 
-THREE = Playback(duration=1, lengths=(1.0, 2.0, 1.0))
+THREE = Playback(duration=1, paces=(Pace(1.0), Pace(2.0), Pace(1.0)))
 
 
 def test_playing_runs_through_all_steps_each_as_long_as_it_is() -> None:
@@ -104,16 +104,25 @@ def test_where_two_steps_meet_the_one_shown_is_kept() -> None:
 @pytest.mark.parametrize("repeat", Repeat)
 @pytest.mark.parametrize("step", range(3))
 def test_every_moment_of_every_step_can_be_reached(repeat: Repeat, step: int) -> None:
-    playback = replace(THREE, repeat=repeat, easing=Easing((0.9, 0.1), (0.3, 0.8)))
+    bent = Easing((0.9, 0.1), (0.3, 0.8))
+    playback = replace(THREE, repeat=repeat, paces=tuple(Pace(k + 1, bent) for k in range(3)))
     for t in (0.0, 0.3, 1.0):
         assert playback.into(step, t, 0).at(0) == (step, pytest.approx(t))
 
 
 def test_other_lengths_change_neither_t_nor_whether_it_plays() -> None:
     playback = THREE.play(0).into(1, 0.25, 0)
-    longer = playback.over((1.0, 8.0), 1, 0)
+    longer = playback.over((Pace(1.0), Pace(8.0)), 1, 0)
     assert longer.at(0) == (1, pytest.approx(0.25))
     assert longer.at(2) == (1, pytest.approx(0.5))
+
+
+def test_each_step_has_its_own_easing() -> None:
+    bent = Easing((0.5, 0.0), (1.0, 1.0))
+    playback = Playback(duration=1, paces=(Pace(), Pace(easing=bent))).play(0)
+    assert playback.at(0.25) == (0, 0.25)
+    assert playback.at(1.25) == (1, bent.t(0.25))
+    assert playback.at(2.75) == (1, bent.t(0.25))  # on the way back
 
 
 def test_going_frame_by_frame_leads_through_all_steps() -> None:

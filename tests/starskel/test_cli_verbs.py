@@ -12,6 +12,8 @@ import starskel
 from starskel.blending import METHODS
 from starskel.cli import main
 from starskel.files.examples import resource_folder
+from starskel.files.project import Project, read_project, write_project
+from starskel.files.step import Step
 from tests.starskel.files.rendering import needs_ghostscript, rendered_postscript
 
 SHAPES = Path(__file__).parents[1] / "shapes"
@@ -189,6 +191,22 @@ def test_the_first_step_of_a_project_is_blended_where_none_is_named(capsys):
     assert third["frames"][0][2] == [9, 7]
     main(["compare", "film.json", "--step", "2", "--method", "vertex", "--frames", "2", "-o", "out.svg"])
     assert "film B-C" in texts("out.svg")
+
+
+def test_a_project_is_blended_with_its_root_and_turns():
+    pair = read_project(Path(ARM)).pair(0)
+    decomposition = starskel.decompose(starskel.match(pair.source, pair.target, pair.marks))
+    usual = starskel.blend(decomposition.pair, "star-skeleton")
+    piece = next(k for k in range(len(decomposition.pieces)) if k != usual.skeleton.root)
+    root = tuple(decomposition.source_origins[piece].tolist())
+    write_project(
+        Path("p.json"), Project("p", (pair.source, pair.target), (Step(pair.marks, root=root, turns=1),))
+    )
+    main(["blend", "p.json", "--method", "star-skeleton", "--at", "0.5", "-o", "out.json"])
+    frame = json.loads(Path("out.json").read_text())["frames"][0]
+    steered = starskel.blend(decomposition.pair, "star-skeleton", root=piece, turns=1)
+    assert np.array_equal(frame, steered.at(0.5))
+    assert not np.allclose(frame, usual.at(0.5), atol=1.0)
 
 
 def test_all_steps_of_a_project_are_measured_or_one(capsys):

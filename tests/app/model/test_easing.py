@@ -1,6 +1,9 @@
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
-from app.model.easing import PRESETS, Easing
+from app.model.easing import PRESETS
+from starskel.easing import Easing
 
 SHARES = [k / 20 for k in range(21)]
 
@@ -35,6 +38,18 @@ def test_easing_in_begins_slowly_and_easing_out_ends_slowly() -> None:
 
 def test_handles_stay_in_the_square() -> None:
     assert Easing((-1, 2), (0.5, 7)) == Easing((0, 1), (0.5, 1))
+
+
+@given(st.tuples(*[st.floats(0, 1)] * 4))
+def test_the_way_back_of_the_way_back_is_the_same(handles: tuple[float, ...]) -> None:
+    easing = Easing(handles[:2], handles[2:])
+    assert easing.reversed.reversed == easing
+
+
+@every_preset
+def test_the_way_back_is_the_way_reversed(easing: Easing) -> None:
+    for share in SHARES:
+        assert easing.reversed.t(share) == pytest.approx(1 - easing.t(1 - share), abs=1e-9)
 
 
 def test_points_lie_on_the_curve() -> None:

@@ -6,7 +6,7 @@ from starskel.polygon import Polygon
 
 FLAG = Polygon([(0, 0), (8, 0), (8, 5), (4, 3), (0, 6)])
 SQUARE = Polygon([(0, 0), (9, 0), (9, 9), (0, 9)])
-PAIR = Document(source=FLAG, target=SQUARE, marks=((0, 0), (2, 2), (4, 3)))
+PAIR = Document.of(source=FLAG, target=SQUARE, marks=((0, 0), (2, 2), (4, 3)))
 
 
 def marked_places(document: Document) -> list[list[float]]:

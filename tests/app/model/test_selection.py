@@ -17,7 +17,7 @@ def test_a_selection_lives_on_one_side() -> None:
 
 
 def test_what_is_selected_stays_only_while_vertices_keep_their_numbers() -> None:
-    document = Document(source=SQUARE)
+    document = Document.of(source=SQUARE)
     chosen = everything(document, "source")
     assert chosen.after(document, document.move("source", [0], (-1, 0))) == chosen
     assert not chosen.after(document, document.insert("source", 0, (5, 0)))

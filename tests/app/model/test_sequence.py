@@ -4,7 +4,9 @@ import pytest
 from app.model.document import Document, lost_marks
 from app.model.history import History
 from app.model.sequence import SHORTEST, Sequence
+from starskel.easing import Easing
 from starskel.errors import InvalidMarks, StarskelError
+from starskel.files.step import Step
 from starskel.polygon import Polygon
 
 
@@ -17,7 +19,7 @@ A, B, C, D = ring(6), ring(7), ring(8), ring(9)
 AB = ((0, 0), (2, 3), (4, 5))
 BC = ((0, 1), (3, 4), (6, 7))
 CD = ((1, 0), (4, 4))
-FOUR = Sequence((A, B, C, D), (AB, BC, CD), (1.0, 2.0, 1.0))
+FOUR = Sequence((A, B, C, D), (Step(AB), Step(BC, 2.0), Step(CD)))
 
 
 @pytest.fixture
@@ -51,7 +53,7 @@ def test_an_edit_of_a_shape_keeps_the_marks_of_both_its_steps_on_their_vertices(
 def test_a_shape_turned_inside_out_takes_the_marks_of_both_its_steps_along() -> None:
     triangle = Polygon([(0, 0), (10, 0), (0, 10)])
     identity = ((0, 0), (1, 1))
-    three = Sequence((triangle,) * 3, (identity, identity), (1.0, 1.0))
+    three = Sequence((triangle,) * 3, (Step(identity), Step(identity)))
     moved = Document().arranged(three, 0).move("target", [0], (20, 20)).sequence
     corner = [20, 20]
     assert moved.shapes[1] is not None
@@ -62,7 +64,7 @@ def test_a_shape_turned_inside_out_takes_the_marks_of_both_its_steps_along() -> 
 def test_marks_of_a_neighbouring_step_that_would_cross_refuse_the_edit() -> None:
     triangle = Polygon([(0, 0), (10, 0), (0, 10)])
     all_three = ((0, 0), (1, 1), (2, 2))
-    three = Sequence((triangle,) * 3, ((), all_three), (1.0, 1.0))
+    three = Sequence((triangle,) * 3, (Step(), Step(all_three)))
     with pytest.raises(InvalidMarks):
         Document().arranged(three, 0).move("target", [0], (20, 20))
 
@@ -126,8 +128,8 @@ def test_times_follow_from_the_durations(four: Document) -> None:
 
 
 def test_two_shapes_are_a_sequence_of_one_step() -> None:
-    two = Document(source=A, target=B, marks=AB)
-    assert two.sequence == Sequence((A, B), (AB,))
+    two = Document.of(source=A, target=B, marks=AB)
+    assert two.sequence == Sequence((A, B), (Step(AB),))
     assert two.sequence.times == (0, 1)
 
 
@@ -152,3 +154,42 @@ def test_the_shapes_of_a_step_are_exchanged_with_their_marks(four: Document) -> 
     assert exchanged.sequence.shapes == (A, C, B, D)
     assert exchanged.marks == ((1, 0), (4, 3), (7, 6))
     assert set(four.marked("source")) == {0, 3, 5, 6}
+
+
+SLOW, FAST = Easing((0.5, 0.0), (1.0, 1.0)), Easing((0.0, 0.5), (1.0, 1.0))
+
+
+@pytest.fixture
+def steered() -> Document:
+    """Four shapes; the first step is eased, the second is eased and steered, the last is as usual."""
+    steps = (Step(AB, easing=SLOW), Step(BC, 2.0, FAST, (0.5, 0.0), 2), Step(CD))
+    return Document().arranged(Sequence((A, B, C, D), steps), 1)
+
+
+def test_how_a_step_goes_follows_the_shape_that_it_begins_at(steered: Document) -> None:
+    last, rest = steered.move_shape(1, 3).sequence, steered.delete_shape(2).sequence
+    assert last.shapes == (A, C, D, B)
+    assert [step.easing for step in last.steps] == [SLOW, Easing(), Easing()]
+    assert rest.shapes == (A, B, D)
+    assert [(step.easing, step.root, step.turns) for step in rest.steps] == [
+        (SLOW, None, 0),
+        (FAST, (0.5, 0.0), 2),
+    ]
+
+
+def test_a_new_shape_leaves_what_was_set_where_it_is(steered: Document) -> None:
+    added, copied = steered.add_shape(1).sequence, steered.duplicate_shape(1).sequence
+    assert [step.turns for step in added.steps] == [0, 2, 0, 0]
+    assert [step.turns for step in copied.steps] == [0, 0, 2, 0]
+    assert [step.easing for step in copied.steps] == [SLOW, Easing(), FAST, Easing()]
+
+
+def test_a_step_turned_round_goes_back_as_it_came(steered: Document) -> None:
+    way = steered.exchanged().way
+    assert (way.easing, way.root, way.turns) == (FAST.reversed, None, -2)
+    assert way.marks == tuple((j, i) for i, j in BC)
+    assert steered.exchanged().exchanged().way.turns == 2
+
+
+def test_all_steps_are_eased_alike(steered: Document) -> None:
+    assert {step.easing for step in steered.ease_alike().sequence.steps} == {FAST}

@@ -112,7 +112,7 @@ def test_going_on_to_something_else_closes_what_is_a_polygon_already() -> None:
 
 
 def test_the_second_shape_done_the_drawing_tool_is_put_down() -> None:
-    scene = Scene(Document(target=Polygon([(0, 0), (9, 0), (9, 9)])), Selection())
+    scene = Scene(Document.of(target=Polygon([(0, 0), (9, 0), (9, 9)])), Selection())
     tool = click(DrawTool(), (0, 0), (10, 0), (10, 10)).tool
     assert tool.key(SCENE, Key("enter")).tool == DrawTool()
     assert tool.key(scene, Key("enter")).tool == SelectTool()

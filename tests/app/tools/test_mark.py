@@ -8,7 +8,7 @@ from app.tools.tool import Pointer, Response, Scene, Tool
 from starskel.polygon import Polygon
 
 SHAPE = Polygon([(0, 0), (10, 0), (10, 10), (0, 10)])
-SCENE = Scene(Document(source=SHAPE, target=SHAPE, marks=((0, 0), (1, 1))), Selection())
+SCENE = Scene(Document.of(source=SHAPE, target=SHAPE, marks=((0, 0), (1, 1))), Selection())
 
 
 def at(side: Side, x: float, y: float) -> Pointer:
@@ -38,7 +38,7 @@ def test_it_may_begin_on_the_target() -> None:
 
 
 def test_a_crossing_mark_is_refused_and_shows_both() -> None:
-    scene = Scene(Document(source=SHAPE, target=SHAPE, marks=((0, 0), (3, 3))), Selection())
+    scene = Scene(Document.of(source=SHAPE, target=SHAPE, marks=((0, 0), (3, 3))), Selection())
     response = MarkBegun("source", 1).press(scene, at("target", 10, 10))
     assert response.commit is not None
     scene = Scene(response.commit.document, Selection())

@@ -4,7 +4,7 @@ from app.tools.select import Dragging, RubberBand, SelectTool
 from app.tools.tool import Key, Pointer, Response, Scene
 from starskel.polygon import Polygon
 
-SQUARE = Document(source=Polygon([(0, 0), (10, 0), (10, 10), (0, 10)]))
+SQUARE = Document.of(source=Polygon([(0, 0), (10, 0), (10, 10), (0, 10)]))
 SCENE = Scene(SQUARE, Selection())
 
 
@@ -73,7 +73,7 @@ def test_cancel_puts_a_dragged_vertex_back() -> None:
 
 
 def test_the_selection_follows_a_triangle_turned_inside_out() -> None:
-    document = Document(source=Polygon([(0, 0), (10, 0), (0, 10)]))
+    document = Document.of(source=Polygon([(0, 0), (10, 0), (0, 10)]))
     scene = Scene(document, Selection())
     response = drag(scene, (10, 0), (-5, 5))
     assert response.commit is not None

@@ -8,7 +8,7 @@ from app.tools.snapping import caught, ground_for_drawing, ground_for_moving
 from app.tools.tool import Catch, Pointer
 from starskel.polygon import Polygon
 
-SQUARE = Document(source=Polygon([(0, 0), (10, 0), (10, 10), (0, 10)]))
+SQUARE = Document.of(source=Polygon([(0, 0), (10, 0), (10, 10), (0, 10)]))
 NOTHING = Snapping(vertices=False, edges=False)
 ALL = Snapping(angles=True, grid=True, spacing=3)
 

@@ -13,11 +13,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.model.easing import Easing
 from app.view import files
 from app.view.dialogs import PairDialog, SaveDialog
 from app.view.export_dialog import ExportDialog
 from app.view.main_window import MainWindow
+from starskel.easing import Easing
 from starskel.files.examples import example
 from starskel.files.pairs import ShapePair, write_pairs
 from starskel.files.project import read_project
@@ -184,11 +184,11 @@ def test_keyframes_are_exported_through_the_dialogs(driver: Driver, tmp_path: Pa
 def test_keyframes_are_exported_as_far_apart_as_they_are_played(driver: Driver, tmp_path: Path) -> None:
     driver.draw_both()
     driver.wait_for_blends()
-    driver.window.player.set_easing(Easing((0.4, 0.0), (0.6, 1.0)))
+    driver.session.store(driver.document.steer(easing=Easing((0.4, 0.0), (0.6, 1.0))), "Set easing")
     driver.in_dialog(_exporting(driver, 0, tmp_path / "eased.svg"))
     driver.key(Qt.Key.Key_E, CONTROL)
     assert "t = 0.2<" not in (tmp_path / "eased.svg").read_text()
-    driver.window.player.set_easing(Easing())
+    driver.session.undo()
     driver.in_dialog(_exporting(driver, 0, tmp_path / "even.svg"))
     driver.key(Qt.Key.Key_E, CONTROL)
     assert "t = 0.2<" in (tmp_path / "even.svg").read_text()

@@ -65,7 +65,7 @@ def test_a_third_shape_is_added_drawn_and_blended(driver: Driver) -> None:
     driver.click("target", *TRIANGLE)
     driver.key(Qt.Key.Key_Return)
     driver.wait_for_blends()
-    assert driver.document.sequence.steps == 2
+    assert len(driver.document.sequence.steps) == 2
     for step in (0, 1):
         states = driver.session.results_of(step).values()
         assert all(state.result is not None and not state.stale for state in states)

@@ -1,5 +1,7 @@
 """The star-skeleton's root and whole turns."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
@@ -51,7 +53,7 @@ def test_a_click_on_a_star_origin_makes_it_the_root(arm: Driver) -> None:
 def test_without_a_skeleton_on_the_screen_a_click_chooses_nothing(arm: Driver) -> None:
     blend = shown(arm)
     click_on_origin(arm, next(k for k in range(len(blend.decomposition.pieces)) if k != blend.skeleton.root))
-    assert arm.session.motion.root is None
+    assert arm.document.way.root is None
 
 
 def test_whole_turns_are_added(arm: Driver) -> None:
@@ -72,5 +74,32 @@ def test_another_document_starts_unsteered(arm: Driver) -> None:
     assert field is not None
     QTest.keyClick(field, Qt.Key.Key_Up)
     arm.session.show_project(example("star"))
-    assert arm.session.motion.turns == 0
+    assert arm.document.way.turns == 0
     assert field.value() == 0
+
+
+def test_root_and_turns_are_undone_redone_and_saved(arm: Driver, tmp_path: Path) -> None:
+    arm.window.actions_table["skeleton"].trigger()
+    blend = shown(arm)
+    click_on_origin(arm, next(k for k in range(len(blend.decomposition.pieces)) if k != blend.skeleton.root))
+    assert arm.session.undoes == "Choose root"
+    field = arm.window.findChild(QSpinBox, "turns")
+    assert field is not None
+    for _ in range(2):
+        QTest.keyClick(field, Qt.Key.Key_Up)
+    assert arm.session.undoes == "Set whole turns"
+    steered = arm.document
+    arm.session.undo()
+    assert (field.value(), arm.document.way.turns) == (0, 0)
+    arm.session.undo()
+    assert arm.document.way.root is None
+    assert not arm.session.unsaved
+    arm.session.redo()
+    arm.session.redo()
+    assert arm.session.unsaved
+    arm.session.save(tmp_path / "arm.json")
+    assert not arm.session.unsaved
+    arm.session.new()
+    arm.session.open(tmp_path / "arm.json")
+    assert arm.document.way == steered.way
+    assert field.value() == 2

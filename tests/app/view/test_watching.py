@@ -12,7 +12,7 @@ from app.view.panels import columns_for
 from starskel.files.examples import example
 from starskel.files.project import Project
 from starskel.polygon import Polygon
-from tests.app.driver import LEFT, PLAIN, TRIANGLE, Driver
+from tests.app.driver import CONTROL, LEFT, PLAIN, TRIANGLE, Driver
 
 
 @pytest.fixture
@@ -50,6 +50,23 @@ def test_a_narrow_panel_gets_a_short_verdict(arm: Driver) -> None:
         texts.append(label.text().replace(".39", "…"))
         assert label.sizeHint().width() <= width
     assert texts == ["✕ crosses at t = …, area 57 %", "✕ crosses at t = …", "✕ crosses"]
+
+
+def test_undoing_everything_stops_what_is_playing(driver: Driver) -> None:
+    driver.draw_both()
+    driver.key(Qt.Key.Key_P)
+    driver.wait(lambda: driver.window.player.t > 0.02)
+    for _ in range(2):
+        assert driver.window.actions_table["play"].isEnabled()
+        driver.key(Qt.Key.Key_Z, CONTROL)
+        assert (driver.window.player.playing, driver.window.player.t) == (False, 0)
+        driver.key(Qt.Key.Key_Y, CONTROL)
+        driver.key(Qt.Key.Key_P)
+        assert driver.window.player.playing
+    driver.key(Qt.Key.Key_Z, CONTROL)
+    driver.key(Qt.Key.Key_Z, CONTROL)
+    assert not driver.window.player.playing
+    assert not driver.window.actions_table["play"].isEnabled()
 
 
 def test_play_moves_t_and_pause_holds_it(arm: Driver) -> None:

@@ -3,8 +3,10 @@ from pathlib import Path
 
 import pytest
 
+from starskel.easing import Easing
 from starskel.errors import InvalidFile
-from starskel.files.project import Project, Step, letter, read_project, write_project
+from starskel.files.project import Project, letter, read_project, write_project
+from starskel.files.step import Step
 from starskel.polygon import Polygon
 
 TRIANGLE = Polygon([[0, 0], [1, 0], [0.1, 1 / 3]])
@@ -13,7 +15,11 @@ WHOLE = Project(
     "Dreieck → Quadrat", (TRIANGLE, SQUARE), (Step(((0, 1), (2, 3))),), methods=("stitched", "vertex")
 )
 LONG = Project("long", (TRIANGLE, SQUARE, None, SQUARE), (Step(((0, 1),), 0.5), Step(), Step((), 1.25)))
-OLD = Path(__file__).parents[2] / "files" / "project-version-1.json"
+STEERED = Project(
+    "steered", (TRIANGLE, SQUARE), (Step(((0, 1),), 2.0, Easing((0.4, 0.0), (0.6, 1.0)), (0.3, 0.2), -1),)
+)
+FILES = Path(__file__).parents[2] / "files"
+OLD = FILES / "project-version-1.json"
 
 
 @pytest.fixture
@@ -26,6 +32,7 @@ def path(tmp_path):
     [
         WHOLE,
         LONG,
+        STEERED,
         Project(""),
         Project("half", (TRIANGLE, None)),
         Project("other half", (None, TRIANGLE)),
@@ -60,7 +67,22 @@ def test_a_file_of_version_1_is_a_project_of_one_step(path):
     assert old.steps == (Step(tuple(map(tuple, rows["marks"])), 1.0),)
     assert list(old.methods) == rows["methods"]
     write_project(path, old)
-    assert json.loads(path.read_text())["version"] == 2
+    assert json.loads(path.read_text())["version"] == 3
+    assert read_project(path) == old
+
+
+def test_a_file_of_version_2_has_even_unsteered_steps(path):
+    old = read_project(FILES / "project-version-2.json")
+    rows = json.loads((FILES / "project-version-2.json").read_text())
+    assert [[tuple(mark) for mark in step["marks"]] for step in rows["steps"]] == [
+        list(step.marks) for step in old.steps
+    ]
+    assert old.steps == tuple(
+        Step(step.marks, row["duration"]) for step, row in zip(old.steps, rows["steps"], strict=True)
+    )
+    assert (old.description, old.shapes[2]) == (rows["description"], None)
+    assert old.pictures[1].size == (2.0, 1.0)
+    write_project(path, old)
     assert read_project(path) == old
 
 
@@ -90,7 +112,8 @@ def changed(path, **change):
 
 
 def step(**change):
-    return {"duration": 1.0, "marks": [], **change}
+    easing = [[0, 0], [1, 1]]
+    return {"duration": 1.0, "easing": easing, "root": None, "turns": 0, "marks": [], **change}
 
 
 TRIANGLES = [[[0, 0], [4, 0], [0, 4]]] * 2
@@ -100,7 +123,7 @@ TRIANGLES = [[[0, 0], [4, 0], [0, 4]]] * 2
     ("change", "message"),
     [
         ({"format": "polygon-pairs/1"}, 'has the format "polygon-pairs/1"; give .* "starskel-project"'),
-        ({"version": 3}, "of version 3; this program knows versions up to 2; open it with a newer starskel"),
+        ({"version": 4}, "of version 4; this program knows versions up to 3; open it with a newer starskel"),
         ({"version": 0}, "of version 0"),
         ({"version": 1}, "missing required field `source`"),
         ({"shapes": [[[0, 0], [1, 1]], None]}, "drawing.json: shape A: a polygon of 2 points"),
@@ -109,6 +132,9 @@ TRIANGLES = [[[0, 0], [4, 0], [0, 4]]] * 2
         ({"shapes": [None]}, "has 1 shapes and 1 steps; give two shapes at least"),
         ({"steps": []}, "has 2 shapes and 0 steps"),
         ({"steps": [step(duration=0)]}, r"`float` > 0.0 - at `\$.steps\[0\].duration`"),
+        ({"steps": [step(easing=[[0, 0], [1.5, 1]])]}, r"`float` <= 1.0 - at `\$.steps\[0\].easing"),
+        ({"steps": [step(turns=0.5)]}, r"Expected `int`, got `float` - at `\$.steps\[0\].turns`"),
+        ({"steps": [step(root=[1])]}, r"length 2 - at `\$.steps\[0\].root`"),
         ({"steps": [step(marks=[[0, 4]])]}, "step A-B: mark 0 names vertex 4 of the target"),
         ({"steps": [step(marks=[[0]])]}, r"length 2 - at `\$.steps\[0\].marks\[0\]`"),
         (
