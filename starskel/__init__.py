@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from starskel.correspondence import Correspondence, suggest_marks
     from starskel.decomposition import decompose
     from starskel.decomposition.pieces import Decomposition
+    from starskel.images.morph import ImageMorph, image_morph
+    from starskel.images.placed import PlacedImage
     from starskel.polygon import Polygon
     from starskel.quality import Report, ShapeReport, measure
     from starskel.shapes.blend import blend
@@ -38,10 +40,12 @@ __all__ = [
     "Cancelled",
     "Correspondence",
     "Decomposition",
+    "ImageMorph",
     "InvalidFile",
     "InvalidMarks",
     "InvalidPolygon",
     "NoDecomposition",
+    "PlacedImage",
     "Polygon",
     "Report",
     "Shape",
@@ -53,6 +57,7 @@ __all__ = [
     "UnknownMethod",
     "blend",
     "decompose",
+    "image_morph",
     "match",
     "measure",
     "suggest_marks",
@@ -63,6 +68,8 @@ _HOMES = {
     "Blend": "starskel.blending.frames",
     "Correspondence": "starskel.correspondence",
     "Decomposition": "starskel.decomposition.pieces",
+    "ImageMorph": "starskel.images.morph",
+    "PlacedImage": "starskel.images.placed",
     "Polygon": "starskel.polygon",
     "Report": "starskel.quality",
     "Shape": "starskel.shapes.shape",
@@ -72,6 +79,7 @@ _HOMES = {
     "Skeleton": "starskel.skeleton",
     "blend": "starskel.shapes.blend",
     "decompose": "starskel.decomposition",
+    "image_morph": "starskel.images.morph",
     "match": "starskel.shapes.match",
     "measure": "starskel.quality",
     "suggest_marks": "starskel.correspondence",

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from starskel.blending.fans import Fans, fans_of
+from starskel.blending.frame_mesh import FrameMesh
 from starskel.blending.frames import placed, with_exact_ends
 from starskel.blending.improvement import with_better_hubs
 from starskel.blending.pieces import PieceBlend
@@ -56,9 +57,19 @@ class FanBlend(PieceBlend):
         ends = np.stack([self._fans.source, self._fans.target])
         self.errors = self._placed(np.array([0.0, 1.0])) - ends
 
-    def _points(self, ts: Floats) -> tuple[Floats, Floats]:
+    @property
+    def mesh(self) -> FrameMesh:
+        """The triangles that are moved."""
+        ends = self._fans.source, self._fans.target
+        source, target = ends[::-1] if self._backwards else ends
+        return FrameMesh(source, target, self._fans.triangles)
+
+    def _nodes(self, ts: Floats) -> Floats:
         times = 1 - ts if self._backwards else ts
-        points = with_exact_ends(self._placed(times), times, self.errors)
+        return with_exact_ends(self._placed(times), times, self.errors)
+
+    def _points(self, ts: Floats) -> tuple[Floats, Floats]:
+        points = self._nodes(ts)
         origins = np.stack([points[:, hub].mean(axis=1) for hub in self._fans.hubs], axis=1)
         return points[:, : len(self.decomposition.source)], origins
 

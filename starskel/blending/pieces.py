@@ -5,6 +5,7 @@ from abc import abstractmethod
 import numpy as np
 from numpy.typing import ArrayLike
 
+from starskel.blending.frame_mesh import FrameMesh
 from starskel.blending.frames import Blend, checked_times
 from starskel.decomposition.pieces import Decomposition
 from starskel.predicates import Floats
@@ -43,6 +44,20 @@ class PieceBlend(Blend):
         """Give the points of the skeleton at t: the k star origins, then the k - 1 mid-points."""
         rows, origins = self._points(checked_times([t]))
         return self.skeleton.points(rows[0], origins[0])
+
+    @property
+    @abstractmethod
+    def mesh(self) -> FrameMesh:
+        """The triangles that tile the pieces: fans round their hubs."""
+
+    def mesh_at(self, t: float) -> Floats:
+        """Give the (m, 2) nodes of the mesh at t, the frame's rows first."""
+        nodes: Floats = self._nodes(checked_times([t]))[0]
+        return nodes
+
+    @abstractmethod
+    def _nodes(self, ts: Floats) -> Floats:
+        """Give the (k, m, 2) nodes of the mesh at checked times."""
 
     @abstractmethod
     def _points(self, ts: Floats) -> tuple[Floats, Floats]:

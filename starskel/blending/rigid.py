@@ -15,6 +15,7 @@ class RigidBlend(FanBlend):
     """
 
     def _prepared(self, fans: Fans, task: Task) -> Motion:
-        mesh = mesh_of(with_better_edges(fans, task))
+        self._fans = with_better_edges(fans, task)
+        mesh = mesh_of(self._fans)
         task.reach(0.6)
         return RigidTriangles.of(mesh).points

@@ -3,9 +3,10 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from starskel.blending.frame_mesh import FrameMesh
 from starskel.blending.frames import checked_times, with_exact_ends
 from starskel.blending.pieces import PieceBlend
-from starskel.decomposition.pieces import Decomposition
+from starskel.decomposition.pieces import Decomposition, edges_of
 from starskel.polar import as_complex, as_points
 from starskel.predicates import Complex, Floats
 from starskel.skeleton import skeleton_of
@@ -43,6 +44,24 @@ class StarSkeletonBlend(PieceBlend):
         parents = [self.skeleton.parents[piece] for piece in children]
         mid_points = origins[0, parents] + vectors[0, self._spokes.outer[children]]
         return as_points(np.concatenate([origins[0], mid_points]))
+
+    @property
+    def mesh(self) -> FrameMesh:
+        """A fan round the star origin of each piece, the origins behind the pieces' points."""
+        dec = self.decomposition
+        fans = [
+            (len(dec.source) + number, *edge)
+            for number, piece in enumerate(dec.pieces)
+            for edge in edges_of(piece)
+        ]
+        return FrameMesh(
+            np.concatenate([dec.source, dec.source_origins]),
+            np.concatenate([dec.target, dec.target_origins]),
+            np.array(fans, dtype=np.intp),
+        )
+
+    def _nodes(self, ts: Floats) -> Floats:
+        return np.concatenate(self._points(ts), axis=1)
 
     def _points(self, ts: Floats) -> tuple[Floats, Floats]:
         rows, origins = self._unfolded(ts)

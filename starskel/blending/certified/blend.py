@@ -49,6 +49,7 @@ class CertifiedBlend(Blend):
         self, decomposition: Decomposition, root: int | None = None, task: Task | None = None
     ) -> None:
         super().__init__(decomposition.pair)
+        self.decomposition = decomposition
         watched = task or Task()
         stitched = StitchedBlend(decomposition, root, watched.part(0, 0.4))
         watched = watched.part(0.4, 1)

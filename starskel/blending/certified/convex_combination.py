@@ -13,12 +13,9 @@ from scipy import sparse
 from scipy.sparse.linalg import splu
 
 from starskel.blending.certified.surroundings import SQUARE, Surroundings
-from starskel.blending.mesh import corner_angles
+from starskel.blending.mean_values import mean_values
 from starskel.polar import as_points
-from starskel.predicates import Complex, Floats, Indices
-
-_FLATTEST = 1e-6
-"""Angles keep so far from 0 and from pi: some triangles have no area, where vertices lie on a line."""
+from starskel.predicates import Complex, Floats
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,24 +60,6 @@ class ConvexCombination:
 def convex_combination_of(surroundings: Surroundings, count: int) -> ConvexCombination:
     """Prepare the morph of a pair of this many vertices."""
     source, target = (
-        _mean_values(points, surroundings.triangles) for points in (surroundings.source, surroundings.target)
+        mean_values(points, surroundings.triangles) for points in (surroundings.source, surroundings.target)
     )
     return ConvexCombination(surroundings, count, source, target)
-
-
-def _mean_values(points: Complex, triangles: Indices) -> sparse.csr_array:
-    """Give the mean value coordinates of inner points among their neighbours."""
-    corners = points[triangles]
-    angles = np.clip(corner_angles(corners), _FLATTEST, np.pi - _FLATTEST)
-    halves = np.tan(angles / 2)
-    rows, columns, values = [], [], []
-    for step in (1, 2):
-        other = np.roll(triangles, -step, axis=1)
-        distances = np.maximum(np.abs(points[other] - corners), np.finfo(np.float64).tiny)
-        rows.append(triangles.ravel())
-        columns.append(other.ravel())
-        values.append((halves / distances).ravel())
-    count = len(points)
-    entries = np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))
-    weights = sparse.csr_array(entries, shape=(count, count))
-    return sparse.csr_array(sparse.diags_array(1 / weights.sum(axis=1)) @ weights)

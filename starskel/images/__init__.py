@@ -1,0 +1,1 @@
+"""Pictures inside shapes: placed, carried along by a blend's triangles, traced."""

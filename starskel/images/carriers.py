@@ -1,0 +1,109 @@
+"""What carries pictures: the meshes of a blend's parts, and their outlines."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from starskel.blending.frames import Blend
+from starskel.blending.inner_mesh import InnerMesh, mesh_blend
+from starskel.blending.pieces import PieceBlend
+from starskel.correspondence import Correspondence
+from starskel.decomposition.pieces import Decomposition
+from starskel.polar import as_complex, as_points
+from starskel.predicates import Floats, Indices
+from starskel.shapes.body import Body
+from starskel.shapes.correspondence import PartPair
+from starskel.shapes.regions import decompose_region
+from starskel.shapes.shape_blend import ShapeBlend
+from starskel.task import Task
+
+
+@dataclass(frozen=True, eq=False)
+class Carrier:
+    """One part of a shape on its way, as a mesh.
+
+    Attributes
+    ----------
+    triangles : (k, 3) array of int
+        Corners, counter-clockwise in source and target.
+    edges : (n, 2) array of int
+        The outline, and those of holes: from which node to which.
+    nodes_at : callable
+        Gives the (m, 2) nodes at t.
+    in_source, in_target : bool
+        Whether the part is there at all: one that grows from a point is not in the source.
+    """
+
+    triangles: Indices
+    edges: Indices
+    nodes_at: Callable[[float], Floats]
+    in_source: bool = True
+    in_target: bool = True
+
+
+def carriers_of(
+    blend: Blend | ShapeBlend, decomposition: Decomposition | None, task: Task
+) -> tuple[Carrier, ...]:
+    """Give what carries pictures, in the order in which parts are painted.
+
+    Parameters
+    ----------
+    blend : Blend or ShapeBlend
+    decomposition : Decomposition or None
+        That of the blend's pair, where it is known; for polygons only.
+    task : Task
+
+    Raises
+    ------
+    Cancelled
+        If the task is told to stop.
+    """
+    if isinstance(blend, Blend):
+        moved = mesh_blend(blend, decomposition, task)
+        return (Carrier(moved.mesh.triangles, _edges(blend.pair), moved.mesh_at),)
+    bodies = {body.part.links[0]: body for body in blend.bodies}
+    parts = blend.pair.parts
+    return tuple(
+        _carrier(blend, part, bodies[part.links[0]], task.part(k / len(parts), (k + 1) / len(parts)))
+        for k, part in enumerate(parts)
+    )
+
+
+def _carrier(blend: ShapeBlend, part: PartPair, body: Body, task: Task) -> Carrier:
+    places = [blend.pair.pairing.index(link) for link in part.links]
+
+    def rows_at(t: float) -> Floats:
+        rings = blend.at(t)
+        outline, *holes = (rings[place] for place in places)
+        return np.concatenate([outline, *(hole[::-1] for hole in holes)])
+
+    edges = _edges(part.pair)
+    if isinstance(body.blend, PieceBlend):
+        moved = _Moved(body, body.blend, rows_at)
+        return Carrier(body.blend.mesh.triangles, edges, moved.nodes_at)
+    source, target = (None not in sides for sides in zip(*part.links[:1], strict=True))
+    pair = part.pair
+    if part.alone:
+        there = pair.source if source else pair.target
+        pair = replace(pair, source=there, target=there)
+    inner = InnerMesh(rows_at, decompose_region(pair, task.part(0, 0.9)), task.part(0.9, 1))
+    return Carrier(inner.mesh.triangles, edges, inner.mesh_at, source, target)
+
+
+@dataclass(frozen=True, eq=False)
+class _Moved:
+    """The mesh of a part that moves and turns as one with others."""
+
+    body: Body
+    blend: PieceBlend
+    rows_at: Callable[[float], Floats]
+
+    def nodes_at(self, t: float) -> Floats:
+        rows, nodes = self.rows_at(t), as_complex(self.blend.mesh_at(t))
+        turned = (nodes[len(rows) :] - nodes[0]) * np.exp(1j * self.body.rotation * t)
+        return np.concatenate([rows, as_points(turned + complex(*rows[0]))])
+
+
+def _edges(pair: Correspondence) -> Indices:
+    return np.stack([np.arange(len(pair)), pair.following], axis=1)

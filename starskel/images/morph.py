@@ -1,0 +1,236 @@
+"""Image morphs: pictures inside shapes, blended with them (paper, section 4 and figure 10).
+
+The fans of the star pieces are the local coordinates: a pixel of a frame lies in a triangle, and the same
+place of that triangle in source and target tells where to look in both pictures. In detail:
+
+* Colours from outside a shape never come in: pictures are cut along the outline, and continued beyond it by
+  the colours inside. Parts of a shape that its picture does not cover are transparent.
+* Edges are smooth: a pixel counts by the share of it inside the frame's outline.
+* Where a frame crosses itself it is filled as outlines are drawn, wherever the outline goes round. What lies
+  over another is decided by the order of pieces, the same at all times; triangles that are folded over are
+  under all others, and so only seen where the frame is inside out.
+* Of several parts the later ones lie over the earlier.
+* Where only one picture is given the shape carries it all the way, at full strength. To fade it in or out
+  give a transparent picture for the other one. A part that grows from a point or shrinks to one only has the
+  picture of the shape that it belongs to.
+"""
+
+from collections.abc import Callable, Sequence
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from starskel.blending.frames import Blend, checked_times
+from starskel.decomposition.pieces import Decomposition
+from starskel.errors import StarskelError, told
+from starskel.images.canvas import Canvas, Image, lay, trim
+from starskel.images.carriers import carriers_of
+from starskel.images.part import Part, Seen, part_of
+from starskel.images.placed import LARGEST_SIDE, Pixels, PlacedImage
+from starskel.images.precise import Precise
+from starskel.images.preview import Preview
+from starskel.shapes.shape_blend import ShapeBlend
+from starskel.task import Progress, ShouldStop, Task
+
+View = tuple[float, float, float, float]
+"""A box in the document: left, bottom, right, top."""
+
+Easing = Callable[[float], float]
+"""Gives for each t how much of the target's picture is seen, from 0 to 1."""
+
+Size = tuple[int, int]
+
+Quality = Literal["precise", "preview"]
+
+_LOOKS = 33
+"""So many frames are looked at to find a view that shows all of them."""
+
+_MARGIN = 0.02
+"""What is left free around them, as a part of the larger extent."""
+
+
+def smooth(t: float) -> float:
+    """Fade slowly near the ends: a frame near an end is sharp."""
+    return t * t * (3 - 2 * t)
+
+
+class ImageMorph:
+    """One or two pictures carried along by a blend: what is the same in all frames is prepared once.
+
+    Parameters
+    ----------
+    blend : Blend or ShapeBlend
+        By any method. Those without triangles in their frames, vertex, edge-angle and certified, carry the
+        fans of the pair's star pieces along (`starskel.blending.inner_mesh`).
+    source, target : PlacedImage, optional
+        The pictures, at least one.
+    decomposition : Decomposition, optional
+        That of the blend's pair, where it is known already.
+    easing : callable
+        How the pictures fade into each other over t; by default slowly near both ends.
+    solid : int
+        So near to the outlines, in pixels of the pictures, what is not opaque counts as outside, and gets the
+        colours of the inside: where an outline follows the edge of what is drawn only roughly, no
+        transparent nicks come in. 0 takes pictures as they are.
+    progress, should_stop : callable, optional
+        As for `starskel.blend`.
+
+    Raises
+    ------
+    StarskelError
+        If there is no picture.
+    Cancelled
+        If ``should_stop`` answered True.
+    """
+
+    def __init__(  # noqa: PLR0913 -- a blend, two pictures and how they are mixed
+        self,
+        blend: Blend | ShapeBlend,
+        source: PlacedImage | None = None,
+        target: PlacedImage | None = None,
+        *,
+        decomposition: Decomposition | None = None,
+        easing: Easing = smooth,
+        solid: int = 0,
+        progress: Progress | None = None,
+        should_stop: ShouldStop | None = None,
+    ) -> None:
+        if source is None and target is None:
+            raise StarskelError(told("there is no picture"), told("give one for the source or the target"))
+        task = Task(progress, should_stop)
+        self.easing = easing
+        self.blend = blend
+        self._parts: list[Part] = []
+        carriers = carriers_of(blend, decomposition, task.part(0, 0.7))
+        for number, carrier in enumerate(carriers):
+            task.reach(0.7 + 0.3 * number / len(carriers))
+            self._parts.append(part_of(carrier, source, target, solid))
+        task.reach(1)
+
+    @property
+    def view(self) -> View:
+        """A view that shows all frames, and a little around them."""
+        looks = np.linspace(0, 1, _LOOKS).tolist()
+        nodes = np.concatenate([part.outline_at(t) for part in self._parts for t in looks])
+        low, high = nodes.min(axis=0), nodes.max(axis=0)
+        margin = _MARGIN * (high - low).max()
+        return (*(low - margin).tolist(), *(high + margin).tolist())
+
+    def at(
+        self, t: float, size: Size | int = 512, view: View | None = None, *, quality: Quality = "precise"
+    ) -> Pixels:
+        """Give the frame at t, an (h, w, 4) array of uint8 with straight alpha.
+
+        Parameters
+        ----------
+        t : float
+        size : (int, int) or int
+            Width and height in pixels; or the longer of both, the other one as the view asks for.
+        view : (float, float, float, float), optional
+            What of the document fills the image: left, bottom, right, top. By default `view`.
+        quality : {"precise", "preview"}
+            Preview is some times faster, for what moves on a screen.
+
+        Raises
+        ------
+        StarskelError
+            Where t is not a number from 0 to 1, or there is something wrong with the size or the view.
+        """
+        time = float(checked_times([t])[0])
+        box = _checked_view(self.view if view is None else view)
+        width, height = _checked_size(size, box)
+        seen = Seen(time, (width, height), box, _checked_share(self.easing(time)))
+        if quality == "preview":
+            pixels = _painted(Preview(), self._parts, seen)
+        else:
+            pixels = _painted(Precise(), self._parts, seen)
+        return pixels.reshape(height, width, 4)
+
+
+def image_morph(  # noqa: PLR0913, PLR0917 -- what is seen, of what, and when
+    blend: Blend | ShapeBlend,
+    source: PlacedImage | None = None,
+    target: PlacedImage | None = None,
+    t: float = 0.5,
+    size: Size | int = 512,
+    view: View | None = None,
+    *,
+    easing: Easing = smooth,
+    solid: int = 0,
+) -> Pixels:
+    """Give one frame of an image morph, an (h, w, 4) array of uint8 with straight alpha.
+
+    For several frames of one blend `ImageMorph` is faster.
+
+    Parameters
+    ----------
+    blend : Blend or ShapeBlend
+    source, target : PlacedImage, optional
+        The pictures, at least one.
+    t : float
+    size : (int, int) or int
+        Width and height in pixels; or the longer of both, the other one as the view asks for.
+    view : (float, float, float, float), optional
+        What of the document fills the image: left, bottom, right, top. By default what shows all frames.
+    easing : callable
+        How much of the target's picture is seen at t; by default it fades slowly near both ends.
+    solid : int
+        So near to the outlines, in pixels of the pictures, what is not opaque is taken from inside.
+
+    Raises
+    ------
+    StarskelError
+        If there is no picture, t is not from 0 to 1, or there is something wrong with the size or the view.
+    """
+    return ImageMorph(blend, source, target, easing=easing, solid=solid).at(t, size, view)
+
+
+def _painted(canvas: Canvas[Image], parts: Sequence[Part], seen: Seen) -> NDArray[np.uint8]:
+    count = seen.size[0] * seen.size[1]
+    image = canvas.blank(count)
+    covered = np.zeros(count, dtype=np.float32)
+    for part in parts:
+        frame = part.frame(seen)
+        if frame is None:
+            continue
+        alone = len(parts) == 1
+        front = image if alone else canvas.blank(count)
+        canvas.paint(front, frame.spans, frame.layers, seen.share)
+        if alone:
+            trim(canvas, image, frame.coverage, folded=frame.folded)
+        else:
+            lay(canvas, image, covered, front, frame.coverage)
+    return canvas.straight(image)
+
+
+def _checked_view(view: View) -> View:
+    left, bottom, right, top = (float(side) for side in view)
+    if not (np.isfinite([left, bottom, right, top]).all() and left < right and bottom < top):
+        raise StarskelError(
+            told("the view {view} has no area", view=(left, bottom, right, top)),
+            told("give its left, bottom, right and top"),
+        )
+    return left, bottom, right, top
+
+
+def _checked_size(size: Size | int, view: View) -> Size:
+    left, bottom, right, top = view
+    if isinstance(size, int):
+        scale = size / max(right - left, top - bottom)
+        size = max(1, round((right - left) * scale)), max(1, round((top - bottom) * scale))
+    width, height = size
+    if not 1 <= min(width, height) <= max(width, height) <= LARGEST_SIDE:
+        raise StarskelError(
+            told("an image of {width} × {height} pixels", width=width, height=height),
+            told("give from 1 to {most} pixels a side", most=LARGEST_SIDE),
+        )
+    return width, height
+
+
+def _checked_share(share: float) -> float:
+    if not 0 <= share <= 1:
+        raise StarskelError(
+            told("the easing gives {share:g}", share=share), told("let it give numbers from 0 to 1")
+        )
+    return float(share)

@@ -1,0 +1,101 @@
+"""A picture and where it is: an affine map from its pixels to the document."""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from starskel.errors import StarskelError, told
+from starskel.polar import as_complex
+from starskel.predicates import Floats
+
+Pixels = NDArray[np.uint8]
+"""(h, w, 4) rows from top to bottom: red, green, blue, and alpha, which is straight."""
+
+LARGEST_SIDE = 16_384
+"""Pictures have no more pixels a side: coordinates in them are kept in 16 bits and a fraction."""
+
+
+class PlacedImage:
+    """A picture in a document.
+
+    Parameters
+    ----------
+    pixels : (h, w, 4) or (h, w, 3) array of uint8
+        Red, green, blue and, where there is one, straight alpha; the top row first.
+    placement : (2, 3) array-like, optional
+        The affine map that gives the document's x and y of a place (x, y, 1) in the picture, counted in
+        pixels to the right and down from the top left corner. By default a pixel is a unit, and the lower
+        left corner is the origin.
+
+    Raises
+    ------
+    StarskelError
+        If these are no pixels, too many, or the placement has no area.
+    """
+
+    def __init__(self, pixels: ArrayLike, placement: ArrayLike | None = None) -> None:
+        self.pixels: Pixels = _checked_pixels(pixels)
+        upright = [[1, 0, 0], [0, -1, len(self.pixels)]]
+        self.placement: Floats = _checked_placement(upright if placement is None else placement)
+
+    @classmethod
+    def in_box(
+        cls, pixels: Pixels, middle: tuple[float, float], size: tuple[float, float], rotation: float = 0.0
+    ) -> "PlacedImage":
+        """Place a picture by its middle, its width and height, and by how far it is turned about its middle.
+
+        Parameters
+        ----------
+        pixels : (h, w, 4) or (h, w, 3) array of uint8
+        middle, size : (float, float)
+            In the document's units.
+        rotation : float
+            In radians, counter-clockwise.
+        """
+        height, width = _checked_pixels(pixels).shape[:2]
+        turn = np.exp(1j * rotation)
+        right, down = turn * size[0] / width, -1j * turn * size[1] / height
+        corner = complex(*middle) - (right * width + down * height) / 2
+        columns = np.array([right, down, corner])
+        return cls(pixels, np.stack([columns.real, columns.imag]))
+
+    def to_document(self, places: ArrayLike) -> Floats:
+        """Give where (..., 2) places in the picture are in the document."""
+        return np.asarray(np.asarray(places) @ self.placement[:, :2].T + self.placement[:, 2])
+
+    def to_picture(self, points: ArrayLike) -> Floats:
+        """Give where in the picture (..., 2) points of the document are, in pixels, right and down."""
+        moved = as_complex(np.asarray(points) - self.placement[:, 2])
+        (a, b), (c, d) = self.placement[:, :2]
+        doubled = a * d - b * c
+        return np.stack(
+            [(d * moved.real - b * moved.imag) / doubled, (a * moved.imag - c * moved.real) / doubled],
+            axis=-1,
+        )
+
+
+def _checked_pixels(given: ArrayLike) -> Pixels:
+    pixels = np.asarray(given)
+    if pixels.dtype != np.uint8 or pixels.ndim != 3 or pixels.shape[2] not in (3, 4) or not pixels.size:
+        raise StarskelError(
+            told("a picture of shape {shape} and type {type}", shape=pixels.shape, type=pixels.dtype),
+            told("give an array of shape (h, w, 4) or (h, w, 3) of uint8"),
+        )
+    if max(pixels.shape) > LARGEST_SIDE:
+        height, width = pixels.shape[:2]
+        raise StarskelError(
+            told("a picture of {width} × {height} pixels", width=width, height=height),
+            told("scale it down to at most {most} pixels a side", most=LARGEST_SIDE),
+        )
+    if pixels.shape[2] == 3:
+        return np.concatenate([pixels, np.full((*pixels.shape[:2], 1), 255, dtype=np.uint8)], axis=2)
+    return pixels
+
+
+def _checked_placement(given: ArrayLike) -> Floats:
+    matrix = np.asarray(given, dtype=np.float64)
+    if matrix.shape != (2, 3) or not np.isfinite(matrix).all() or not np.linalg.det(matrix[:, :2]):
+        raise StarskelError(
+            told("the placement {placement} of a picture", placement=matrix.tolist()),
+            told("give an affine map, two rows of three finite numbers, that keeps an area"),
+        )
+    return matrix
