@@ -23,8 +23,8 @@ run: setup
 	    $(MAKE) --no-print-directory qt && exec $(BIN)/python -m app; \
 	else \
 	    mkdir -p build && \
-	    $(BIN)/starskel compare $(EXAMPLE) -o build/arm.svg && \
-	    $(BIN)/starskel compare $(EXAMPLE) -o build/arm.eps && \
+	    $(BIN)/starskel render $(EXAMPLE) --layout sheet -o build/arm.svg && \
+	    $(BIN)/starskel render $(EXAMPLE) --layout sheet -o build/arm.eps && \
 	    echo 'There is no display. The example blended by every method: build/arm.svg and build/arm.eps' && \
 	    echo 'With a display (DISPLAY or WAYLAND_DISPLAY set) "make run" opens the editor.'; \
 	fi

@@ -5,27 +5,29 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-import numpy as np
-
 from app.compute import Result
 from starskel.easing import EVEN, Easing
-from starskel.errors import InvalidFile, either, told
-from starskel.files.postscript import write_eps, write_postscript
-from starskel.files.svg import write_svg
-from starskel.sheet.comparison import Row, comparison_sheet
-from starskel.sheet.drawing import Drawing
-from starskel.sheet.keyframe import Shown, keyframes
-from starskel.sheet.rows import page_sheets, row_sheet
+from starskel.export import formats
+from starskel.export.film import Film, Scene, Track
+from starskel.export.settings import Settings, even_times
+from starskel.export.write import write
+from starskel.sheet.keyframe import Shown
 
 Layout = Literal["row", "frame", "pages", "sheet"]
 
-ENDINGS: dict[Layout, tuple[str, ...]] = {
-    "row": (".svg", ".eps"),
-    "frame": (".svg", ".eps"),
-    "pages": (".ps",),
-    "sheet": (".svg", ".eps"),
+OUTPUTS: dict[Layout, formats.Layout] = {
+    "row": "row",
+    "frame": "frames",
+    "pages": "frames",
+    "sheet": "sheet",
 }
-"""The formats that each layout can be written in, the usual one first."""
+"""What the library calls them."""
+
+ENDINGS: dict[Layout, tuple[str, ...]] = {
+    layout: formats.endings_of(output, numbered=False if layout == "pages" else None)
+    for layout, output in OUTPUTS.items()
+}
+"""The endings of the formats that each layout can be written in, the usual one first."""
 
 
 @dataclass(frozen=True)
@@ -58,14 +60,18 @@ class Choice:
     easing: Easing = EVEN
 
     @property
-    def times(self) -> list[float]:
-        """The moments to draw."""
-        if self.layout == "frame":
-            return [self.t]
-        return [self.easing.t(time) for time in np.linspace(0, 1, self.frames).tolist()]
+    def settings(self) -> Settings:
+        """The same in the library's words."""
+        single = self.layout == "frame"
+        return Settings(
+            layout=OUTPUTS[self.layout],
+            times=(self.t,) if single else even_times(self.frames),
+            eased=not single,
+            shown=Shown(self.marks, self.pieces, self.skeleton),
+        )
 
 
-def write(path: Path, name: str, choice: Choice, results: Sequence[Result]) -> None:
+def write_choice(path: Path, name: str, choice: Choice, results: Sequence[Result]) -> None:
     """Write what was chosen; the ending of the file's name tells the format.
 
     Raises
@@ -73,32 +79,8 @@ def write(path: Path, name: str, choice: Choice, results: Sequence[Result]) -> N
     InvalidFile
         If the ending does not go with the layout, or the file cannot be written.
     """
-    ending = path.suffix.lower()
-    if ending not in ENDINGS[choice.layout]:
-        raise InvalidFile(
-            told('{name} ends in "{ending}"', name=path.name, ending=path.suffix),
-            told("end it in {endings}", endings=either(ENDINGS[choice.layout])),
-        )
-    drawings = _drawings(name, choice, results)
-    if ending == ".svg":
-        write_svg(path, drawings[0])
-    elif ending == ".eps":
-        write_eps(path, drawings[0])
-    else:
-        write_postscript(path, drawings)
-
-
-def _drawings(name: str, choice: Choice, results: Sequence[Result]) -> Sequence[Drawing]:
-    shown = Shown(choice.marks, choice.pieces, choice.skeleton)
-    if choice.layout == "sheet":
-        return (comparison_sheet(name, [_row(result, choice.times, shown) for result in results]),)
-    blend = next(result.blend for result in results if result.method == choice.method)
-    frames = keyframes(blend, choice.times, shown)
-    title = f"{name}: {choice.method}"
-    if choice.layout == "row":
-        return (row_sheet(title, frames),)
-    return page_sheets(title, frames)
-
-
-def _row(result: Result, times: list[float], shown: Shown) -> Row:
-    return Row.of(result.method, result.report, keyframes(result.blend, times, shown))
+    wanted = [result for result in results if choice.layout == "sheet" or result.method == choice.method]
+    tracks = tuple(
+        Track(result.method, (Scene(result.blend, result.report, easing=choice.easing),)) for result in wanted
+    )
+    write(path, Film(name, tracks, choice.settings))

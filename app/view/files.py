@@ -6,7 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtWidgets import QDialog, QMainWindow
 
-from app.export import ENDINGS, write
+from app.export import ENDINGS, write_choice
 from app.session import Session
 from app.view import words
 from app.view.dialogs import (
@@ -122,7 +122,7 @@ class Files(QObject):
             return
         self._folder = path.parent
         try:
-            write(path, self.name, choice, results)
+            write_choice(path, self.name, choice, results)
         except StarskelError as error:
             complain(self._window, self.tr("{name} was not written").format(name=path.name), error)
         else:

@@ -403,6 +403,14 @@
         <source>there is no outline in {name}</source>
         <translation>in {name} ist kein Umriss</translation>
     </message>
+    <message>
+        <source>{count} methods do not go into one such file</source>
+        <translation>{count} Verfahren passen nicht in eine solche Datei</translation>
+    </message>
+    <message>
+        <source>choose one method, and a file for each</source>
+        <translation>wählen Sie ein Verfahren, und für jedes eine eigene Datei</translation>
+    </message>
 </context>
 <context>
     <name>AboutDialog</name>

@@ -9,16 +9,16 @@ from pathlib import Path
 
 from starskel.blending import COMPARED
 from starskel.command import FAILED
-from starskel.command.blend import times_of
 from starskel.command.methods import blends
 from starskel.command.opening import Opened, named, opened
 from starskel.command.progress import Progress
 from starskel.errors import StarskelError
+from starskel.export.settings import even_times
+from starskel.export.svg import svg_text
 from starskel.files.disk import made_folder, write_bytes
 from starskel.files.examples import example_names, resource_folder
 from starskel.files.gallery import Exhibit, gallery_page
 from starskel.files.pairs import ShapePair
-from starskel.files.svg import write_svg
 from starskel.quality import Report, measure
 from starskel.sheet.comparison import Row, comparison_sheet
 from starskel.sheet.keyframe import keyframes
@@ -41,7 +41,7 @@ def run(arguments: Namespace) -> int:
                 progress.clear()
                 failures.append(_told(named(error, pair_id, path)))
                 continue
-            write_svg(folder / f"{exhibit.name}.svg", exhibit.sheet)
+            write_bytes(folder / f"{exhibit.name}.svg", svg_text(exhibit.sheet).encode())
             exhibits.append(exhibit)
     write_bytes(folder / "index.html", gallery_page(exhibits, failures).encode())
     print(f"{folder / 'index.html'}: {len(exhibits)} of {len(found)} pairs")
@@ -73,7 +73,7 @@ def _exhibit(
     pair: ShapePair, arguments: Namespace, progress: Progress, share: tuple[float, float], taken: set[str]
 ) -> Exhibit:
     methods = arguments.method or COMPARED
-    times, reports, rows = times_of(arguments), dict[str, Report](), list[Row]()
+    times, reports, rows = arguments.at or even_times(arguments.frames), dict[str, Report](), list[Row]()
 
     def watch(method: str, fraction: float) -> None:
         start, length = share

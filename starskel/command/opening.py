@@ -1,6 +1,6 @@
 """From the name of a file to a pair of shapes."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
@@ -9,7 +9,8 @@ from starskel.errors import InvalidFile, StarskelError
 from starskel.files import pairs, project
 from starskel.files.documents import check_format
 from starskel.files.pairs import ShapePair, read_pairs
-from starskel.files.project import read_project
+from starskel.files.project import letter, read_project
+from starskel.files.step import Step
 
 
 @dataclass(frozen=True)
@@ -22,13 +23,24 @@ class Opened:
         Their names.
     pair : callable
         Gives the pair of a name, or raises InvalidFile.
-    in_order : bool
-        Whether they are the steps of one project, the first of which is the one to begin with.
+    name : str
+        What all of them together are called, where they are the steps of one project; else "".
+    steps : tuple of Step
+        How these steps are gone; none where they are no steps.
+    first : int
+        The number of the first of these steps in the project, from 0.
     """
 
     ids: tuple[str, ...]
     pair: Callable[[str], ShapePair]
-    in_order: bool = False
+    name: str = ""
+    steps: tuple[Step, ...] = ()
+    first: int = 0
+
+    def step_name(self, number: int) -> str:
+        """Give the letters of the two shapes of a step, "" where there is but one."""
+        own = self.first + number
+        return f"{letter(own)}-{letter(own + 1)}" if len(self.steps) > 1 else ""
 
 
 def opened(path: Path, step: int | None = None) -> Opened:
@@ -54,24 +66,17 @@ def opened(path: Path, step: int | None = None) -> Opened:
     return Opened(file.ids, file.pair)
 
 
-def chosen_pair(path: Path, pair_id: str | None, step: int | None = None) -> ShapePair:
-    """Open a file and give one of its pairs; none has to be named where there is but one.
-
-    Of a project this is the step of that number, the first where none is given.
+def chosen_id(path: Path, ids: Sequence[str], asked: str | None) -> str:
+    """Give the name that was asked for; none has to be where there is but one.
 
     Raises
     ------
     InvalidFile
-        If the file is invalid, or the name is missing or unknown.
+        If there are several and none was asked for.
     """
-    file = opened(path, step)
-    if pair_id is None:
-        if len(file.ids) > 1 and not file.in_order:
-            raise InvalidFile(
-                f"{path} holds {len(file.ids)} pairs", f"choose one: --id {' | '.join(file.ids)}"
-            )
-        pair_id = file.ids[0]
-    return file.pair(pair_id)
+    if asked is None and len(ids) > 1:
+        raise InvalidFile(f"{path} holds {len(ids)} pairs", f"choose one: --id {' | '.join(ids)}")
+    return ids[0] if asked is None else asked
 
 
 def named(error: StarskelError, pair_id: str, path: Path) -> str:
@@ -98,4 +103,6 @@ def _steps(path: Path, step: int | None) -> Opened:
 
     if all(None in shapes for shapes in pairwise(document.shapes)):
         pair(names[0])  # raises: nothing in the file can be blended
-    return Opened(tuple(names if step is None else names[step - 1 : step]), pair, in_order=True)
+    own = slice(None) if step is None else slice(step - 1, step)
+    first = 0 if step is None else step - 1
+    return Opened(tuple(names[own]), pair, document.name, document.steps[own], first)

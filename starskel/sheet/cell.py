@@ -10,6 +10,7 @@ from starskel.sheet import style
 from starskel.sheet.drawing import Area, Disc, Item, Label, Line, Place, Stroke
 from starskel.sheet.keyframe import Keyframe, PlacedSkeleton
 from starskel.sheet.shape_keyframe import ShapeKeyframe
+from starskel.sheet.style import USUAL, Look
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,21 +36,18 @@ class Placement:
         return (points - self.centre) * self.scale + self.place
 
 
-def cell(frame: Keyframe | ShapeKeyframe, on_paper: Placement) -> Iterator[Item]:
-    """Give what is drawn of a keyframe: fill or star pieces, outline, skeleton, crossings, pins."""
+def cell(frame: Keyframe | ShapeKeyframe, on_paper: Placement, look: Look = USUAL) -> Iterator[Item]:
+    """Give what is drawn of a keyframe: fill or star pieces, outline, skeleton, crossings, vertices, pins."""
     if isinstance(frame, ShapeKeyframe):
-        yield from _shape(frame, on_paper)
-        return
-    ring = on_paper(frame.ring)
-    if frame.pieces:
-        yield from _pieces([on_paper(piece) for piece in frame.pieces])
-        yield Area(ring, stroke=_outline(frame))
+        yield from _parts(frame, on_paper, look)
     else:
-        yield Area(ring, style.fill(frame.t), _outline(frame))
-    if frame.skeleton is not None:
-        yield from _skeleton(frame.skeleton, on_paper)
-    yield from _crossings(on_paper(frame.crossings))
-    yield from _pins(ring, frame.marks)
+        yield from _ring(frame, on_paper, look)
+    if look.signs:
+        yield from _crossings(on_paper(frame.crossings))
+    for x, y in on_paper(frame.vertices).tolist():
+        yield Disc((x, y), style.VERTEX_SIZE, style.PAPER, style.VERTEX_OUTLINE)
+    if isinstance(frame, Keyframe):
+        yield from _pins(on_paper(frame.ring), frame.marks)
 
 
 def cross_sign(place: Place, radius: float) -> Iterator[Item]:
@@ -75,20 +73,30 @@ def _strokes(place: Place, radius: float, lines: list[list[Place]]) -> Iterator[
         yield Line(np.array(place) + radius * np.array(line), Stroke(style.PAPER, 0.3 * radius))
 
 
-def _shape(frame: ShapeKeyframe, on_paper: Placement) -> Iterator[Item]:
+def _ring(frame: Keyframe, on_paper: Placement, look: Look) -> Iterator[Item]:
+    ring, outline = on_paper(frame.ring), _outline(frame, look)
+    if frame.pieces:
+        yield from _pieces([on_paper(piece) for piece in frame.pieces])
+        yield Area(ring, stroke=outline)
+    else:
+        yield Area(ring, look.fill(frame.t), outline)
+    if frame.skeleton is not None:
+        yield from _skeleton(frame.skeleton, on_paper)
+
+
+def _parts(frame: ShapeKeyframe, on_paper: Placement, look: Look) -> Iterator[Item]:
     """Draw each part as one path with its holes, then the meta-skeleton: roots joined by links."""
-    for outline, *holes in frame.parts:
+    for ring, *holes in frame.parts:
         rings = tuple(on_paper(hole) for hole in holes)
-        yield Area(on_paper(outline), style.fill(frame.t), _outline(frame), rings)
+        yield Area(on_paper(ring), look.fill(frame.t), _outline(frame, look), rings)
     for link in frame.tree:
         yield Line(on_paper(link), style.SKELETON_LINE)
-    for x, y in on_paper(np.unique(frame.tree.reshape(-1, 2), axis=0)).tolist():
+    for x, y in on_paper(frame.tree.reshape(-1, 2)).tolist():
         yield Disc((x, y), 1.5, style.SKELETON)
-    yield from _crossings(on_paper(frame.crossings))
 
 
-def _outline(frame: Keyframe | ShapeKeyframe) -> Stroke:
-    return style.OUTLINE if frame.simple else style.CROSSING_OUTLINE
+def _outline(frame: Keyframe | ShapeKeyframe, look: Look) -> Stroke | None:
+    return style.CROSSING_OUTLINE if look.signs and not frame.simple else look.outline
 
 
 def _pieces(rings: list[Floats]) -> Iterator[Item]:

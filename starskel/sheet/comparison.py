@@ -8,10 +8,11 @@ import numpy as np
 from starskel.quality import Report, ShapeReport
 from starskel.sheet import style
 from starskel.sheet.cell import cross_sign, layers_sign, tick_sign
-from starskel.sheet.drawing import Area, Colour, Drawing, Item, Label, Line, Place
+from starskel.sheet.drawing import Colour, Drawing, Item, Label, Line, Place
 from starskel.sheet.keyframe import Keyframe
-from starskel.sheet.rows import Grid
+from starskel.sheet.rows import Grid, paper
 from starskel.sheet.shape_keyframe import ShapeKeyframe
+from starskel.sheet.style import Look
 from starskel.sheet.words import Kind, figures, kind_of, shape_figures, shape_verdict, verdict
 
 _TITLE = 34.0
@@ -51,52 +52,52 @@ class Row:
     frames: tuple[Keyframe | ShapeKeyframe, ...]
 
     @classmethod
-    def of(cls, name: str, report: Report, frames: tuple[Keyframe, ...]) -> "Row":
+    def of(cls, name: str, report: Report, frames: tuple[Keyframe | ShapeKeyframe, ...]) -> "Row":
         """Give the row of a method that was measured."""
         return cls(name, kind_of(report), verdict(report), figures(report), frames)
 
     @classmethod
-    def of_shapes(cls, name: str, report: ShapeReport, frames: tuple[ShapeKeyframe, ...]) -> "Row":
+    def of_shapes(cls, name: str, report: ShapeReport, frames: tuple[Keyframe | ShapeKeyframe, ...]) -> "Row":
         """Give the row of a blend of shapes that was measured."""
         kind: Kind = "simple" if report.simple else "harmful"
         return cls(name, kind, shape_verdict(report), shape_figures(report), frames)
 
 
-def comparison_sheet(title: str, rows: Sequence[Row], titled: bool = True) -> Drawing:
+SHEET = Look(paper=style.PAPER)
+"""How a sheet looks where nothing else is asked for."""
+
+
+def comparison_sheet(title: str, rows: Sequence[Row], titled: bool = True, look: Look = SHEET) -> Drawing:
     """Give the rows under one another, all in one scale, and the title on top if it is to be seen."""
-    grid = Grid.of([frame for row in rows for frame in row.frames])
+    grid = Grid.of([frame for row in rows for frame in row.frames], look)
     text = (2 + max(len(row.figures) for row in rows)) * _LINE
-    pitch = max(grid.height, text) + style.GAP
+    pitch = max(grid.height, text) + look.gap
     columns = len(rows[0].frames)
-    left = style.MARGIN + _heading_width(rows) + style.GAP
-    width = left + columns * (grid.width + style.GAP) - style.GAP + style.MARGIN
+    left = look.margin + _heading_width(rows) + look.gap
+    width = left + columns * (grid.width + look.gap) - look.gap + look.margin
     head, letters = (_TITLE, style.TITLE_SIZE) if titled else (_HEAD, style.TEXT_SIZE)
-    height = style.MARGIN + head + len(rows) * pitch + style.MARGIN - style.GAP / 2
+    height = look.margin + head + len(rows) * pitch + look.margin - look.gap / 2
 
     def middle(column: int) -> float:
-        return left + column * (grid.width + style.GAP) + grid.width / 2
+        return left + column * (grid.width + look.gap) + grid.width / 2
 
     def items() -> Iterator[Item]:
-        yield _paper(width, height)
+        yield from paper(width, height, look)
         if titled:
-            place = (style.MARGIN, height - style.MARGIN - letters)
+            place = (look.margin, height - look.margin - letters)
             yield Label(title, place, style.TITLE_SIZE, style.INK, bold=True)
         for column, frame in enumerate(rows[0].frames):
-            place = (middle(column), height - style.MARGIN - letters)
+            place = (middle(column), height - look.margin - letters)
             yield Label(f"t = {frame.t:.3g}", place, style.TEXT_SIZE, style.FAINT, "middle")
         for number, row in enumerate(rows):
-            top = height - style.MARGIN - head - number * pitch
-            yield Line(np.array([[style.MARGIN, top], [width - style.MARGIN, top]]), style.HAIRLINE)
+            top = height - look.margin - head - number * pitch
+            yield Line(np.array([[look.margin, top], [width - look.margin, top]]), style.HAIRLINE)
             y = top - pitch / 2
-            yield from _heading(row, y + text / 2)
+            yield from _heading(row, look.margin, y + text / 2)
             for column, frame in enumerate(row.frames):
                 yield grid.cell(f"{row.name}-{column}", frame, (middle(column), y))
 
     return Drawing(title, width, height, tuple(items()))
-
-
-def _paper(width: float, height: float) -> Area:
-    return Area(np.array([[0, 0], [width, 0], [width, height], [0, height]], dtype=np.float64), style.PAPER)
 
 
 def _heading_width(rows: Sequence[Row]) -> float:
@@ -105,13 +106,13 @@ def _heading_width(rows: Sequence[Row]) -> float:
     return 3 * _SIGN + 0.5 * style.TEXT_SIZE * max(24, *map(len, lines))
 
 
-def _heading(row: Row, top: float) -> Iterator[Item]:
+def _heading(row: Row, left: float, top: float) -> Iterator[Item]:
     base = top - style.NAME_SIZE
-    yield Label(row.name, (style.MARGIN, base), style.NAME_SIZE, style.INK, bold=True)
+    yield Label(row.name, (left, base), style.NAME_SIZE, style.INK, bold=True)
     sign, colour = _SIGNS[row.kind]
     base -= _LINE * 1.15
-    yield from sign((style.MARGIN + _SIGN, base + 0.36 * style.TEXT_SIZE), _SIGN)
-    yield Label(row.verdict, (style.MARGIN + 3 * _SIGN, base), style.TEXT_SIZE, colour)
+    yield from sign((left + _SIGN, base + 0.36 * style.TEXT_SIZE), _SIGN)
+    yield Label(row.verdict, (left + 3 * _SIGN, base), style.TEXT_SIZE, colour)
     for figure in row.figures:
         base -= _LINE
-        yield Label(figure, (style.MARGIN, base), style.TEXT_SIZE, style.FAINT)
+        yield Label(figure, (left, base), style.TEXT_SIZE, style.FAINT)

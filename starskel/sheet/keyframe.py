@@ -49,6 +49,8 @@ class Keyframe:
         The rings of the star pieces; none where they are not shown.
     skeleton : PlacedSkeleton or None
         The skeleton; None where it is not shown.
+    dotted : bool
+        Whether the vertices are shown.
     """
 
     t: float
@@ -56,6 +58,12 @@ class Keyframe:
     marks: tuple[int, ...] = ()
     pieces: tuple[Floats, ...] = ()
     skeleton: PlacedSkeleton | None = None
+    dotted: bool = False
+
+    @property
+    def vertices(self) -> Floats:
+        """The vertices to be shown, as a (k, 2) array."""
+        return self.ring if self.dotted else self.ring[:0]
 
     @cached_property
     def crossings(self) -> Floats:
@@ -84,9 +92,14 @@ class Shown:
     marks: bool = False
     pieces: bool = False
     skeleton: bool = False
+    vertices: bool = False
 
 
-def keyframes(blend: Blend, times: Sequence[float], shown: Shown = Shown()) -> tuple[Keyframe, ...]:
+ALONE = Shown()
+"""Nothing besides."""
+
+
+def keyframes(blend: Blend, times: Sequence[float], shown: Shown = ALONE) -> tuple[Keyframe, ...]:
     """Give the keyframes of a blend.
 
     Parameters
@@ -104,7 +117,7 @@ def keyframes(blend: Blend, times: Sequence[float], shown: Shown = Shown()) -> t
     """
     rows = marked_rows(blend.pair) if shown.marks else ()
     return tuple(
-        Keyframe(t, ring, rows, _pieces(blend, t, shown), _skeleton(blend, t, shown))
+        Keyframe(t, ring, rows, _pieces(blend, t, shown), _skeleton(blend, t, shown), shown.vertices)
         for t, ring in zip(times, blend.frames(times), strict=True)
     )
 

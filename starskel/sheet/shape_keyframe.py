@@ -12,6 +12,7 @@ from starskel.polar import as_points
 from starskel.polygon import crossing_edges, meeting_places
 from starskel.predicates import Floats
 from starskel.shapes.shape_blend import ShapeBlend
+from starskel.sheet.keyframe import ALONE, Shown
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,14 +24,23 @@ class ShapeKeyframe:
     t : float
         The time, in [0, 1].
     parts : tuple of tuples of (n, 2) arrays
-        For each part the outline and the holes; those that are a point are left out.
+        For each part the outline and the holes; those that are a point are left out where it stands still.
     tree : (k, 2, 2) array
         The two ends of each link of the meta-skeleton; none where it is not shown.
+    dotted : bool
+        Whether the vertices are shown.
     """
 
     t: float
     parts: tuple[tuple[Floats, ...], ...]
     tree: Floats
+    dotted: bool = False
+
+    @property
+    def vertices(self) -> Floats:
+        """The vertices to be shown, as a (k, 2) array."""
+        rings = [ring for part in self.parts for ring in part] if self.dotted else []
+        return np.concatenate([np.empty((0, 2)), *rings])
 
     @property
     def simple(self) -> bool:
@@ -54,9 +64,19 @@ class ShapeKeyframe:
 
 
 def shape_keyframes(
-    blend: ShapeBlend, times: Sequence[float], skeleton: bool = False
+    blend: ShapeBlend, times: Sequence[float], shown: Shown = ALONE, *, moving: bool = False
 ) -> tuple[ShapeKeyframe, ...]:
-    """Give the keyframes of a blend of shapes, with the meta-skeleton if it is to be seen.
+    """Give the keyframes of a blend of shapes.
+
+    Parameters
+    ----------
+    blend : ShapeBlend
+    times : sequence of float
+        Numbers from 0 to 1.
+    shown : Shown
+        The meta-skeleton is the skeleton; marks and pieces are not drawn.
+    moving : bool
+        Whether all keyframes have all parts and holes, those that are a point too.
 
     Raises
     ------
@@ -64,16 +84,16 @@ def shape_keyframes(
         Where a time is not a number from 0 to 1.
     """
     frames = blend.frames(times)
-    trees = _trees(blend, np.array(times)) if skeleton else np.empty((len(frames), 0, 2, 2))
+    trees = _trees(blend, np.array(times)) if shown.skeleton else np.empty((len(frames), 0, 2, 2))
     return tuple(
-        ShapeKeyframe(t, _parts(rings, blend.pair.outer), tree)
+        ShapeKeyframe(t, _parts(rings, blend.pair.outer, moving), tree, shown.vertices)
         for t, rings, tree in zip(times, frames, trees, strict=True)
     )
 
 
-def _parts(rings: Sequence[Floats], outer: Sequence[int]) -> tuple[tuple[Floats, ...], ...]:
+def _parts(rings: Sequence[Floats], outer: Sequence[int], moving: bool) -> tuple[tuple[Floats, ...], ...]:
     size = max(float(np.ptp(ring, axis=0).max()) for ring in rings)
-    there = [bool(np.ptp(ring, axis=0).max() > 1e-9 * size) for ring in rings]
+    there = [moving or bool(np.ptp(ring, axis=0).max() > 1e-9 * size) for ring in rings]
     return tuple(
         (ring, *(rings[k] for k, own in enumerate(outer) if own == number and there[k]))
         for number, ring in enumerate(rings)

@@ -1,14 +1,14 @@
 """Colours and sizes of a sheet. The colours stay apart for people who see no red or no green."""
 
+from dataclasses import dataclass
+
 from starskel.sheet.drawing import Colour, Stroke
 
 PAPER: Colour = "#ffffff"
 INK: Colour = "#20262e"
 FAINT: Colour = "#6b7480"
 RULE: Colour = "#d5d9de"
-SOURCE: Colour = "#9cc9ec"
-MIDDLE: Colour = "#d9c6e4"
-TARGET: Colour = "#f8c58a"
+WAY: tuple[Colour, ...] = ("#9cc9ec", "#d9c6e4", "#f8c58a")
 SIMPLE: Colour = "#00705c"
 NATURAL: Colour = "#8a5a00"
 CROSSING: Colour = "#b0003a"
@@ -19,24 +19,60 @@ OUTLINE = Stroke(INK, 0.7)
 CROSSING_OUTLINE = Stroke(CROSSING, 1.1)
 PIECE_OUTLINE = Stroke(INK, 0.3)
 SKELETON_LINE = Stroke(SKELETON, 0.8)
+VERTEX_OUTLINE = Stroke(INK, 0.4)
 JOINT_OUTLINE = Stroke(SKELETON, 0.5)
 HAIRLINE = Stroke(RULE, 0.5)
-
-CELL = 96.0
-"""The longer side of a cell, in points."""
-
-GAP = 16.0
-MARGIN = 18.0
 
 TITLE_SIZE = 13.0
 NAME_SIZE = 10.5
 TEXT_SIZE = 8.0
 PIN_SIZE = 4.4
+VERTEX_SIZE = 0.9
 
 
-def fill(t: float) -> Colour:
-    """Give the colour of the frame at time t: by way of a third, since a mixture of the two is grey."""
-    return _mix(SOURCE, MIDDLE, 2 * t) if t < 0.5 else _mix(MIDDLE, TARGET, 2 * t - 1)
+@dataclass(frozen=True)
+class Look:
+    """How frames are drawn; lengths are points.
+
+    Attributes
+    ----------
+    colours : tuple of str
+        What frames are filled with, evenly spread from t = 0 to 1 and mixed in between; none leaves them
+        empty. The usual ones go by way of a third, since a mixture of the two at the ends is grey.
+    outline : Stroke or None
+        How outlines are drawn.
+    paper : str or None
+        What is behind the frames; None leaves it open.
+    gap, margin : float
+        What is between the frames of a sheet, and round all that is drawn.
+    size : float or None
+        The longer side of the largest frame; None is the usual one of the layout.
+    signs : bool
+        Whether frames that meet themselves show it.
+    captions : bool
+        Whether the time of each frame is written below it.
+    """
+
+    colours: tuple[Colour, ...] = WAY
+    outline: Stroke | None = OUTLINE
+    paper: Colour | None = None
+    gap: float = 16.0
+    margin: float = 18.0
+    size: float | None = None
+    signs: bool = True
+    captions: bool = True
+
+    def fill(self, t: float) -> Colour | None:
+        """Give the colour of the frame at time t."""
+        if len(self.colours) < 2:
+            return next(iter(self.colours), None)
+        way = t * (len(self.colours) - 1)
+        number = min(int(way), len(self.colours) - 2)
+        return _mix(self.colours[number], self.colours[number + 1], way - number)
+
+
+USUAL = Look()
+"""How frames look where nothing else is asked for."""
 
 
 def _mix(source: Colour, target: Colour, t: float) -> Colour:

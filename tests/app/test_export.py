@@ -1,10 +1,11 @@
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from app.compute import Result
-from app.export import ENDINGS, Choice, Layout, write
+from app.export import ENDINGS, Choice, Layout, write_choice
 from app.model.easing import Easing
 from starskel import InvalidFile, blend, match, measure
 from starskel.files.examples import example
@@ -25,22 +26,24 @@ def test_every_layout_is_written_in_each_of_its_formats(
     layout: Layout, ending: str, results: list[Result], tmp_path: Path
 ) -> None:
     path = tmp_path / f"out{ending}"
-    write(path, "Star", Choice(layout, "vertex", frames=5), results)
-    text = path.read_text()
-    assert text.startswith({".svg": "<?xml", ".eps": "%!PS-Adobe-3.0 EPSF", ".ps": "%!PS-Adobe"}[ending])
-    assert text.count("%%Page:") == (5 if ending == ".ps" else text.count("%%Page:"))
+    write_choice(path, "Star", Choice(layout, "vertex", frames=5), results)
+    text = path.read_bytes().decode("latin-1")
+    starts = {".svg": "<?xml", ".eps": "%!PS-Adobe-3.0 EPSF", ".ps": "%!PS-Adobe", ".pdf": "%PDF"}
+    assert text.startswith(starts[ending])
+    if ending == ".ps":
+        assert text.count("%%Page:") == (5 if layout == "pages" else 1)
 
 
 def test_a_row_holds_so_many_keyframes_and_a_frame_but_one(results: list[Result], tmp_path: Path) -> None:
-    write(tmp_path / "row.svg", "Star", Choice("row", "vertex", frames=7), results)
-    write(tmp_path / "one.svg", "Star", Choice("frame", "vertex", t=0.25), results)
+    write_choice(tmp_path / "row.svg", "Star", Choice("row", "vertex", frames=7), results)
+    write_choice(tmp_path / "one.svg", "Star", Choice("frame", "vertex", t=0.25), results)
     assert (tmp_path / "row.svg").read_text().count('id="frame-') == 7
     assert (tmp_path / "one.svg").read_text().count('id="frame-') == 1
     assert "t = 0.25" in (tmp_path / "one.svg").read_text()
 
 
 def test_the_sheet_has_a_row_for_each_method(results: list[Result], tmp_path: Path) -> None:
-    write(tmp_path / "sheet.svg", "Star", Choice("sheet", "vertex"), results)
+    write_choice(tmp_path / "sheet.svg", "Star", Choice("sheet", "vertex"), results)
     text = (tmp_path / "sheet.svg").read_text()
     assert ">vertex<" in text
     assert ">edge-angle<" in text
@@ -50,14 +53,16 @@ def test_an_ending_that_does_not_fit_is_refused_before_anything_is_written(
     results: list[Result], tmp_path: Path
 ) -> None:
     with pytest.raises(InvalidFile, match="end it in"):
-        write(tmp_path / "out.png", "Star", Choice("row", "vertex"), results)
+        write_choice(tmp_path / "out.png", "Star", Choice("row", "vertex"), results)
     assert list(tmp_path.iterdir()) == []
 
 
-def test_keyframes_are_apart_as_they_are_played() -> None:
+def test_keyframes_are_apart_as_they_are_played(results: list[Result], tmp_path: Path) -> None:
     easing = Easing((0.4, 0.0), (0.6, 1.0))
-    times = Choice("row", "vertex", frames=5, easing=easing).times
-    assert times == [easing.t(time) for time in (0, 0.25, 0.5, 0.75, 1)]
-    assert times[1] < 0.2
-    assert Choice("row", "vertex", frames=5).times == [0, 0.25, 0.5, 0.75, 1]
-    assert Choice("frame", "vertex", t=0.3, easing=easing).times == [0.3]
+    write_choice(tmp_path / "row.svg", "Star", Choice("row", "vertex", frames=5, easing=easing), results)
+    texts = re.findall("t = ([0-9.]+)", (tmp_path / "row.svg").read_text())
+    assert texts == [f"{easing.t(time):.3g}" for time in (0, 0.25, 0.5, 0.75, 1)]
+    assert float(texts[1]) < 0.2
+    one = Choice("frame", "vertex", t=0.3, easing=easing)
+    write_choice(tmp_path / "one.svg", "Star", one, results)
+    assert "t = 0.3<" in (tmp_path / "one.svg").read_text()

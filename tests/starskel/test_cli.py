@@ -31,24 +31,24 @@ def test_the_installed_command_answers_help(tmp_path):
     assert command, "the package is not installed"
     done = subprocess.run([command, "--help"], cwd=tmp_path, capture_output=True, text=True, check=True)
     assert done.stdout.startswith("usage: starskel")
-    assert "compare" in done.stdout
+    assert "render" in done.stdout
 
 
 @pytest.mark.parametrize("name", ["out.svg", "out.eps", "out.ps", "out.json", "OUT.SVG"])
 def test_blend_writes_one_file_and_says_nothing(tmp_path, name):
-    done = starskel(tmp_path, "blend", LETTERS, "--id", "letter-T-Y", "--method", "vertex", "-o", name)
+    done = starskel(tmp_path, "render", LETTERS, "--id", "letter-T-Y", "--method", "vertex", "-o", name)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
     assert names(tmp_path) == [name]
 
 
 def test_compare_writes_a_sheet(tmp_path):
-    done = starskel(tmp_path, "compare", LETTERS, "--id", "letter-T-Y", "-o", "sheet.svg")
+    done = starskel(tmp_path, "render", LETTERS, "--layout", "sheet", "--id", "letter-T-Y", "-o", "sheet.svg")
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
     assert names(tmp_path) == ["sheet.svg"]
 
 
 def test_a_file_that_is_missing_is_named_in_one_line_with_status_2(tmp_path):
-    done = starskel(tmp_path, "blend", "gone.json", "-o", "out.svg")
+    done = starskel(tmp_path, "render", "gone.json", "-o", "out.svg")
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == (
         "starskel: gone.json cannot be read: No such file or directory; give the path of a readable file\n"
@@ -81,7 +81,7 @@ def test_an_output_that_nobody_reads_is_no_error(tmp_path):
 
 
 def test_standard_output_can_be_written_to(tmp_path):
-    words = ["blend", LETTERS, "--id", "letter-T-Y", "--method", "vertex", "-o"]
+    words = ["render", LETTERS, "--id", "letter-T-Y", "--method", "vertex", "-o"]
     plain = starskel(tmp_path, *words, "out.svg")
     assert plain.returncode == 0
     (tmp_path / "pipe.svg").symlink_to("/dev/stdout")

@@ -10,7 +10,7 @@ import pytest
 import starskel
 from starskel.cli import main
 from starskel.files.multi_pairs import read_multi_pairs
-from tests.starskel.files.rendering import needs_ghostscript, rendered_postscript
+from tests.starskel.export.rendering import needs_ghostscript, rendered_postscript
 from tests.starskel.files.test_multi_pairs import MULTI
 
 PATH = "{http://www.w3.org/2000/svg}path"
@@ -23,7 +23,7 @@ def empty_folder(tmp_path, monkeypatch):
 
 
 def test_a_ring_and_its_hole_are_one_path_in_svg(tmp_path):
-    assert main(["blend", str(MULTI), *FACE, "--at", "0.5", "-o", "face.svg"]) == 0
+    assert main(["render", str(MULTI), *FACE, "--at", "0.5", "-o", "face.svg"]) == 0
     paths = ET.parse(tmp_path / "face.svg").findall(f".//{PATH}")
     rims = [path for path in paths if path.get("fill-rule") == "evenodd"]
     assert len(paths) == 4
@@ -32,7 +32,7 @@ def test_a_ring_and_its_hole_are_one_path_in_svg(tmp_path):
 
 @needs_ghostscript
 def test_the_inside_of_the_rim_stays_white_in_eps(tmp_path):
-    assert main(["blend", str(MULTI), *FACE, "--at", "0.5", "--plain", "-o", "face.eps"]) == 0
+    assert main(["render", str(MULTI), *FACE, "--at", "0.5", "--plain", "-o", "face.eps"]) == 0
     (picture,) = rendered_postscript(tmp_path / "face.eps")
     height, width = np.shape(picture)[:2]
     assert (np.asarray(picture)[int(0.3 * height), width // 2] > 250).all()
@@ -40,7 +40,7 @@ def test_the_inside_of_the_rim_stays_white_in_eps(tmp_path):
 
 @pytest.mark.parametrize("flag", [[], ["--separate"]])
 def test_json_holds_the_rings_to_the_last_bit(tmp_path, flag):
-    assert main(["blend", str(MULTI), "--id", "m-i-j", *flag, "--frames", "3", "-o", "frames.json"]) == 0
+    assert main(["render", str(MULTI), "--id", "m-i-j", *flag, "--frames", "3", "-o", "frames.json"]) == 0
     document = json.loads((tmp_path / "frames.json").read_text())
     pair = read_multi_pairs(MULTI).pair("m-i-j")
     blend = starskel.blend(pair.source, pair.target, pair.marks, pairing=pair.pairing, joined=not flag)
@@ -51,7 +51,23 @@ def test_json_holds_the_rings_to_the_last_bit(tmp_path, flag):
 
 
 def test_a_sheet_compares_the_methods_and_parts_moved_separately(tmp_path):
-    assert main(["compare", str(MULTI), *FACE, "--frames", "3", "--skeleton", "-o", "sheet.svg"]) == 0
+    assert (
+        main(
+            [
+                "render",
+                str(MULTI),
+                "--layout",
+                "sheet",
+                *FACE,
+                "--frames",
+                "3",
+                "--skeleton",
+                "-o",
+                "sheet.svg",
+            ]
+        )
+        == 0
+    )
     texts = [e.text for e in ET.parse(tmp_path / "sheet.svg").iter("{http://www.w3.org/2000/svg}text")]
     assert {"stitched", "edge-angle", "parts separately"} <= set(texts)
     assert "certified" not in texts  # there is a hole
@@ -67,5 +83,5 @@ def test_a_sheet_compares_the_methods_and_parts_moved_separately(tmp_path):
     ],
 )
 def test_what_does_not_go_is_said(capsys, words, message):
-    assert main(["blend", str(MULTI), *words, "-o", "out.svg"]) == 2
+    assert main(["render", str(MULTI), *words, "-o", "out.svg"]) == 2
     assert message in capsys.readouterr().err

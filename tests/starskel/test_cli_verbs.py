@@ -14,7 +14,7 @@ from starskel.cli import main
 from starskel.files.examples import resource_folder
 from starskel.files.project import Project, read_project, write_project
 from starskel.files.step import Step
-from tests.starskel.files.rendering import needs_ghostscript, rendered_postscript
+from tests.starskel.export.rendering import needs_ghostscript, rendered_postscript
 
 SHAPES = Path(__file__).parents[1] / "shapes"
 LETTERS = str(SHAPES / "letters.json")
@@ -49,7 +49,7 @@ def refused(capsys, *words):
 
 
 def test_frames_in_json_are_those_of_the_library(shape_pairs):
-    assert main(["blend", LETTERS, *PAIR, "--method", "edge-angle", "--frames", "5", "-o", "out.json"]) == 0
+    assert main(["render", LETTERS, *PAIR, "--method", "edge-angle", "--frames", "5", "-o", "out.json"]) == 0
     document = json.loads(Path("out.json").read_text())
     pair = shape_pairs["letter-T-Y"]
     blend = starskel.blend(pair.source, pair.target, pair.marks, "edge-angle")
@@ -63,39 +63,39 @@ def test_frames_in_json_are_those_of_the_library(shape_pairs):
 
 
 def test_as_many_frames_as_asked_for_stand_in_the_row():
-    main(["blend", LETTERS, *PAIR, "--frames", "4", "-o", "out.svg"])
+    main(["render", LETTERS, *PAIR, "--frames", "4", "-o", "out.svg"])
     assert ids("out.svg") == [f"frame-{number}" for number in range(4)]
     assert texts("out.svg") == ["t = 0", "t = 0.333", "t = 0.667", "t = 1"]
 
 
 def test_frames_at_given_times_and_without_captions():
-    main(["blend", LETTERS, *PAIR, "--at", "0.25", "1", "--plain", "-o", "out.svg"])
+    main(["render", LETTERS, *PAIR, "--at", "0.25", "1", "--plain", "-o", "out.svg"])
     assert len(ids("out.svg")) == 2
     assert texts("out.svg") == []
 
 
 def test_one_frame_is_drawn_large():
-    main(["blend", LETTERS, *PAIR, "--at", "0.5", "-o", "one.svg"])
-    main(["blend", LETTERS, *PAIR, "--at", "0.5", "0.6", "-o", "two.svg"])
+    main(["render", LETTERS, *PAIR, "--at", "0.5", "-o", "one.svg"])
+    main(["render", LETTERS, *PAIR, "--at", "0.5", "0.6", "-o", "two.svg"])
     one, two = (float(ET.parse(name).getroot().get("height")[:-2]) for name in ("one.svg", "two.svg"))
     assert one > 2 * two
 
 
 def test_postscript_has_a_page_for_each_frame():
-    main(["blend", LETTERS, *PAIR, "--frames", "7", "-o", "out.ps"])
+    main(["render", LETTERS, *PAIR, "--frames", "7", "-o", "out.ps"])
     assert "%%Pages: 7\n" in Path("out.ps").read_text()
 
 
 @needs_ghostscript
 def test_eps_holds_all_frames_in_a_row(tmp_path):
-    main(["blend", LETTERS, *PAIR, "--frames", "3", "--plain", "-o", "out.eps"])
+    main(["render", LETTERS, *PAIR, "--frames", "3", "--plain", "-o", "out.eps"])
     (picture,) = rendered_postscript(tmp_path / "out.eps")
     filled = (picture < 250).any(axis=0)
     assert np.count_nonzero(np.diff(filled.astype(int)) == 1) == 3
 
 
 def test_marks_pieces_and_skeleton_are_drawn_when_asked_for():
-    words = ["blend", LETTERS, "--id", "letter-K-X", "--method", "star-skeleton", "--plain"]
+    words = ["render", LETTERS, "--id", "letter-K-X", "--method", "star-skeleton", "--plain"]
     main([*words, "-o", "plain.svg"])
     sizes = [Path("plain.svg").stat().st_size]
     for option in ("--marks", "--pieces", "--skeleton"):
@@ -107,7 +107,7 @@ def test_marks_pieces_and_skeleton_are_drawn_when_asked_for():
 
 
 def test_a_sheet_has_a_row_for_each_method():
-    assert main(["compare", ARM, "--frames", "3", "-o", "out.svg"]) == 0
+    assert main(["render", ARM, "--layout", "sheet", "--frames", "3", "-o", "out.svg"]) == 0
     assert set(ids("out.svg")) == {f"{method}-{number}" for method in METHODS for number in range(3)}
     assert {*METHODS, "An arm bends", "t = 0.5", "simple"} <= set(texts("out.svg"))
     assert any(re.fullmatch(r"crosses at t = 0\.\d+-0\.\d+", text) for text in texts("out.svg"))
@@ -115,12 +115,28 @@ def test_a_sheet_has_a_row_for_each_method():
 
 def test_a_sheet_can_be_had_of_some_methods_and_in_every_format():
     for name in ("out.svg", "out.eps", "out.ps"):
-        assert main(["compare", ARM, "--method", "vertex", "--method", "edge-angle", "-o", name]) == 0
+        assert (
+            main(
+                [
+                    "render",
+                    ARM,
+                    "--layout",
+                    "sheet",
+                    "--method",
+                    "vertex",
+                    "--method",
+                    "edge-angle",
+                    "-o",
+                    name,
+                ]
+            )
+            == 0
+        )
     assert [name for name in texts("out.svg") if name in METHODS] == ["vertex", "edge-angle"]
 
 
 def test_the_only_pair_of_a_file_needs_no_name():
-    assert main(["blend", COAST, "--method", "vertex", "-o", "out.svg"]) == 0
+    assert main(["render", COAST, "--method", "vertex", "-o", "out.svg"]) == 0
 
 
 def test_a_table_has_a_line_for_each_pair_and_method(capsys):
@@ -168,7 +184,7 @@ def test_a_failing_pair_is_named_in_json_too(capsys):
 
 def test_equal_calls_write_equal_files():
     for name in ("a.svg", "b.svg"):
-        main(["compare", ARM, "--pieces", "--skeleton", "--marks", "-o", name])
+        main(["render", ARM, "--layout", "sheet", "--pieces", "--skeleton", "--marks", "-o", name])
     assert Path("a.svg").read_bytes() == Path("b.svg").read_bytes()
 
 
@@ -181,16 +197,21 @@ def write_film(*missing):
     Path("film.json").write_text(json.dumps({**document, "methods": []}))
 
 
-def test_the_first_step_of_a_project_is_blended_where_none_is_named(capsys):
+def test_all_steps_of_a_project_are_rendered_or_one():
     write_film()
-    main(["blend", "film.json", "--method", "vertex", "--at", "1", "-o", "out.json"])
-    first = json.loads(Path("out.json").read_text())
-    main(["blend", "film.json", "--step", "3", "--method", "vertex", "--at", "0", "-o", "out.json"])
+    main(["render", "film.json", "--method", "vertex", "--frames", "4", "-o", "out.json"])
+    film = json.loads(Path("out.json").read_text())
+    assert film["format"] == "starskel-frame-steps/1"
+    assert [step["step"] for step in film["steps"]] == [1, 2, 3]
+    assert [step["content"]["frames"][-1][2] for step in film["steps"]] == [[9, 9], [9, 8], [9, 6]]
+    main(["render", "film.json", "--step", "3", "--method", "vertex", "--at", "0", "-o", "out.json"])
     third = json.loads(Path("out.json").read_text())
-    assert first["frames"][0][2] == [9, 8]
     assert third["frames"][0][2] == [9, 7]
-    main(["compare", "film.json", "--step", "2", "--method", "vertex", "--frames", "2", "-o", "out.svg"])
+    words = ["render", "film.json", "--layout", "sheet", "--method", "vertex", "--frames", "2"]
+    main([*words, "--step", "2", "-o", "out.svg"])
     assert "film B-C" in texts("out.svg")
+    main([*words, "-o", "out.svg"])
+    assert {"film", "vertex, A-B", "vertex, C-D"} <= set(texts("out.svg"))
 
 
 def test_a_project_is_blended_with_its_root_and_turns():
@@ -202,7 +223,7 @@ def test_a_project_is_blended_with_its_root_and_turns():
     write_project(
         Path("p.json"), Project("p", (pair.source, pair.target), (Step(pair.marks, root=root, turns=1),))
     )
-    main(["blend", "p.json", "--method", "star-skeleton", "--at", "0.5", "-o", "out.json"])
+    main(["render", "p.json", "--method", "star-skeleton", "--at", "0.5", "-o", "out.json"])
     frame = json.loads(Path("out.json").read_text())["frames"][0]
     steered = starskel.blend(decomposition.pair, "star-skeleton", root=piece, turns=1)
     assert np.array_equal(frame, steered.at(0.5))
@@ -232,27 +253,27 @@ def test_steps_without_their_shapes_are_named_and_the_others_measured(capsys):
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["blend", LETTERS, "--step", "1", "-o", "a.svg"], "is no project and has no steps; choose a pair"),
-        (["blend", ARM, "--step", "2", "-o", "a.svg"], "arm.json has no step 2; give a step from 1 to 1"),
+        (["render", LETTERS, "--step", "1", "-o", "a.svg"], "is no project and has no steps; choose a pair"),
+        (["render", ARM, "--step", "2", "-o", "a.svg"], "arm.json has no step 2; give a step from 1 to 1"),
         (["measure", ARM, "--step", "0"], "'0' is no number of a step"),
-        (["blend", LETTERS, "-o", "a.svg"], "holds 4 pairs; choose one: --id letter-C-S | letter-E-F"),
+        (["render", LETTERS, "-o", "a.svg"], "holds 4 pairs; choose one: --id letter-C-S | letter-E-F"),
         (
-            ["blend", LETTERS, "--id", "letter-TY", "-o", "a.svg"],
+            ["render", LETTERS, "--id", "letter-TY", "-o", "a.svg"],
             'no pair "letter-TY"; choose one of letter-T-Y',
         ),
         (["measure", LETTERS, "--id", "letter-TY"], 'no pair "letter-TY"; choose one of letter-T-Y'),
-        (["blend", COAST, "-o", "a.png"], 'a.png ends in ".png"; end it in .svg, .eps, .ps, .json'),
-        (["compare", COAST, "-o", "a"], 'a ends in ""; end it in .svg, .eps, .ps'),
+        (["render", COAST, "-o", "a.png"], 'a.png ends in ".png"; end it in .svg or .eps or .ps'),
+        (["render", COAST, "--layout", "sheet", "-o", "a"], 'a ends in ""; end it in .svg or .eps'),
         (
-            ["blend", COAST, "--method", "vertex", "-o", "no/a.svg"],
+            ["render", COAST, "--method", "vertex", "-o", "no/a.svg"],
             "no/a.svg cannot be written: No such file",
         ),
-        (["blend", COAST, "--method", "magic", "-o", "a.svg"], "invalid choice: 'magic'"),
-        (["blend", COAST, "--frames", "1", "-o", "a.svg"], "'1' is no whole number above 1"),
-        (["blend", COAST, "--frames", "many", "-o", "a.svg"], "'many' is no whole number above 1"),
-        (["blend", COAST, "--at", "1.5", "-o", "a.svg"], "'1.5' is no number from 0 to 1"),
-        (["blend", COAST, "--at", "nan", "-o", "a.svg"], "'nan' is no number from 0 to 1"),
-        (["blend", COAST], "the following arguments are required: -o"),
+        (["render", COAST, "--method", "magic", "-o", "a.svg"], "invalid choice: 'magic'"),
+        (["render", COAST, "--frames", "1", "-o", "a.svg"], "'1' is no whole number above 1"),
+        (["render", COAST, "--frames", "many", "-o", "a.svg"], "'many' is no whole number above 1"),
+        (["render", COAST, "--at", "1.5", "-o", "a.svg"], "'1.5' is no number from 0 to 1"),
+        (["render", COAST, "--at", "nan", "-o", "a.svg"], "'nan' is no number from 0 to 1"),
+        (["render", COAST], "the following arguments are required: -o"),
         ([], "the following arguments are required: VERB"),
     ],
 )
@@ -280,8 +301,8 @@ def test_a_fault_is_told_with_status_2_and_nothing_is_written(capsys, words, mes
 def test_a_file_that_cannot_be_blended_is_named(capsys, content, message):
     Path("bad.json").write_text(content)
     for words in (
-        ["blend", "bad.json", "-o", "a.svg"],
-        ["compare", "bad.json", "-o", "a.svg"],
+        ["render", "bad.json", "-o", "a.svg"],
+        ["render", "bad.json", "--layout", "sheet", "-o", "a.svg"],
         ["measure", "bad.json"],
     ):
         assert message in refused(capsys, *words)
@@ -293,5 +314,5 @@ def test_an_interruption_ends_with_status_130(monkeypatch):
         raise KeyboardInterrupt
 
     monkeypatch.setattr("starskel.command.methods.blend", interrupted)
-    assert main(["blend", COAST, "-o", "a.svg"]) == 130
+    assert main(["render", COAST, "-o", "a.svg"]) == 130
     assert list(Path().iterdir()) == []

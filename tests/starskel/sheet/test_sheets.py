@@ -3,19 +3,21 @@
 import numpy as np
 import pytest
 
-from starskel.files.postscript import write_eps, write_postscript
-from starskel.files.svg import write_svg
 from starskel.sheet.comparison import Row, comparison_sheet
 from starskel.sheet.drawing import Area, Disc, Group, Label, Line
 from starskel.sheet.keyframe import Keyframe, PlacedSkeleton
-from starskel.sheet.rows import LONGEST, page_sheets, row_sheet
-from tests.starskel.files.rendering import (
+from starskel.sheet.rows import LONGEST, Stage, box_of, row_sheet
+from starskel.sheet.style import USUAL, Look
+from tests.starskel.export.rendering import (
     assert_filled,
     needs_ghostscript,
     needs_rsvg,
     painted_box,
     rendered_postscript,
     rendered_svg,
+    write_eps,
+    write_postscript,
+    write_svg,
 )
 
 HOOK = np.array([[0, 0], [2, 0], [2, 6], [8, 6], [8, 8], [0, 8]], dtype=float)
@@ -31,10 +33,17 @@ FRAMES = tuple(Keyframe(t, turned(HOOK, t) + 100 * t, marks=(0, 3)) for t in (0.
 WHOLE = Keyframe(
     0.5, HOOK, (0,), (HOOK[:3], HOOK[2:]), PlacedSkeleton(HOOK[[0, 4]], HOOK[[2]], HOOK[[[0, 2], [2, 4]]])
 )
+
+
+def page_sheets(title, frames, look=USUAL):
+    stage = Stage(box_of(frames), look=look)
+    return [stage.picture(title, f"frame-{number}", [frame]) for number, frame in enumerate(frames)]
+
+
 SHEETS = {
     "row": row_sheet("row", FRAMES),
     "rows": row_sheet("rows", FRAMES * 4),
-    "plain": row_sheet("plain", FRAMES, captions=False),
+    "plain": row_sheet("plain", FRAMES, look=Look(captions=False)),
     "page": page_sheets("page", [WHOLE])[0],
     "comparison": comparison_sheet(
         "both",
@@ -158,14 +167,16 @@ def test_what_is_painted_lies_in_the_bounding_box(tmp_path, name):
 
 @needs_rsvg
 def test_a_frame_in_svg_is_where_the_sheet_says_and_right_side_up(tmp_path):
-    sheet = row_sheet("one", [Keyframe(0.5, HOOK)], captions=False)
+    sheet = row_sheet("one", [Keyframe(0.5, HOOK)], look=Look(captions=False))
     write_svg(tmp_path / "a.svg", sheet)
     assert_filled(rendered_svg(tmp_path / "a.svg"), outline(frames_of(sheet)[0]))
 
 
 @needs_ghostscript
 def test_pages_in_postscript_are_where_the_sheets_say_and_right_side_up(tmp_path):
-    sheets = page_sheets("pages", [Keyframe(frame.t, frame.ring * 10) for frame in FRAMES], captions=False)
+    sheets = page_sheets(
+        "pages", [Keyframe(frame.t, frame.ring * 10) for frame in FRAMES], look=Look(captions=False)
+    )
     write_postscript(tmp_path / "a.ps", sheets)
     pictures = rendered_postscript(tmp_path / "a.ps")
     assert len(pictures) == len(FRAMES)

@@ -7,12 +7,12 @@ PostScript File Format Specification", both version 3.0. No date goes in: equal 
 import math
 import unicodedata
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 
-from starskel.files.disk import write_bytes
+from starskel.export.film import Film
 from starskel.files.numbers import decimal
 from starskel.predicates import Floats
 from starskel.sheet.drawing import Area, Disc, Drawing, Group, Item, Label, Line, Stroke
+from starskel.task import Task
 
 # The names stand in a dictionary of their own, so that they hide nothing of a page that includes the drawing.
 _PROLOG = """\
@@ -53,26 +53,10 @@ _DASHES = dict.fromkeys(range(0x2010, 0x2016), "-")
 _BEGIN = "starskel begin 1 setlinejoin 1 setlinecap"
 
 
-def write_eps(path: Path, drawing: Drawing) -> None:
-    """Write a drawing as an EPS file.
-
-    Raises
-    ------
-    InvalidFile
-        If it cannot be written.
-    """
-    write_bytes(path, eps_text(drawing).encode("ascii"))
-
-
-def write_postscript(path: Path, pages: Sequence[Drawing]) -> None:
-    """Write drawings as a PostScript document of one page each.
-
-    Raises
-    ------
-    InvalidFile
-        If it cannot be written.
-    """
-    write_bytes(path, postscript_text(pages).encode("ascii"))
+def files(film: Film, task: Task) -> Iterator[bytes]:
+    """Give all drawings as one file, a page for each."""
+    task.reach(0)
+    yield postscript_text(tuple(film.drawings())).encode("ascii")
 
 
 def eps_text(drawing: Drawing) -> str:

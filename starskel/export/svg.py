@@ -1,25 +1,22 @@
 """SVG out: a drawing as one file, every number a plain coordinate (no transforms, no style sheets)."""
 
-from pathlib import Path
+from collections.abc import Iterator
 from xml.sax.saxutils import escape, quoteattr
 
-from starskel.files.disk import write_bytes
+from starskel.export.film import Film
 from starskel.files.numbers import decimal
 from starskel.predicates import Floats
 from starskel.sheet.drawing import Area, Disc, Drawing, Group, Item, Label, Line, Stroke
+from starskel.task import Task
 
 FACE = "Helvetica, Arial, 'DejaVu Sans', sans-serif"
 
 
-def write_svg(path: Path, drawing: Drawing) -> None:
-    """Write a drawing as an SVG file.
-
-    Raises
-    ------
-    InvalidFile
-        If it cannot be written.
-    """
-    write_bytes(path, svg_text(drawing).encode())
+def files(film: Film, task: Task) -> Iterator[bytes]:
+    """Give each drawing as a file."""
+    for drawing in film.drawings():
+        task.reach(0)
+        yield svg_text(drawing).encode()
 
 
 def svg_text(drawing: Drawing) -> str:

@@ -8,6 +8,10 @@ import pytest
 import shapely
 from PySide6.QtGui import QImage
 
+from starskel.export.pdf import pdf_document
+from starskel.export.postscript import eps_text, postscript_text
+from starskel.export.svg import svg_text
+
 DOTS = 2
 """Pixels for one point."""
 
@@ -19,6 +23,22 @@ def run(*command):
     done = subprocess.run([str(word) for word in command], capture_output=True, check=False)
     assert (done.returncode, done.stderr) == (0, b""), done.stdout + done.stderr
     return done.stdout
+
+
+def write_svg(path, drawing):
+    path.write_text(svg_text(drawing), encoding="utf-8")
+
+
+def write_eps(path, drawing):
+    path.write_text(eps_text(drawing))
+
+
+def write_postscript(path, pages):
+    path.write_text(postscript_text(pages))
+
+
+def write_pdf(path, pages):
+    path.write_bytes(pdf_document(pages))
 
 
 def ghostscript(*arguments):

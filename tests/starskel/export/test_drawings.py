@@ -1,15 +1,19 @@
 """Drawings as files: what other programs make of them, and what stands in them."""
 
+import io
 import re
 import xml.etree.ElementTree as ET
 
 import numpy as np
 import pytest
+from pypdf import PdfReader
+from pypdf.generic import ContentStream
 
-from starskel.files.postscript import eps_text, postscript_text, write_eps, write_postscript
-from starskel.files.svg import svg_text, write_svg
+from starskel.export.pdf import pdf_document
+from starskel.export.postscript import eps_text, postscript_text
+from starskel.export.svg import svg_text
 from starskel.sheet.drawing import Area, Disc, Drawing, Group, Label, Line, Stroke
-from tests.starskel.files.rendering import (
+from tests.starskel.export.rendering import (
     DOTS,
     assert_filled,
     ghostscript,
@@ -18,6 +22,10 @@ from tests.starskel.files.rendering import (
     painted_box,
     rendered_postscript,
     rendered_svg,
+    write_eps,
+    write_pdf,
+    write_postscript,
+    write_svg,
 )
 
 INK = Stroke("#203040", 0.5)
@@ -58,10 +66,11 @@ def test_an_eps_file_shows_the_area_where_it_is(tmp_path):
 
 
 @needs_ghostscript
-def test_a_postscript_document_shows_every_area_on_its_page(tmp_path):
+@pytest.mark.parametrize(("write", "name"), [(write_postscript, "a.ps"), (write_pdf, "a.pdf")])
+def test_a_document_shows_every_area_on_its_page(tmp_path, write, name):
     rings = [UPSIDE, UPSIDE + np.array([20, 5]), UPSIDE * 0.5]
-    write_postscript(tmp_path / "a.ps", [drawing(Area(ring, "#3366cc"), height=85.0) for ring in rings])
-    pictures = rendered_postscript(tmp_path / "a.ps")
+    write(tmp_path / name, [drawing(Area(ring, "#3366cc"), height=85.0) for ring in rings])
+    pictures = rendered_postscript(tmp_path / name)
     assert len(pictures) == 3
     for picture, ring in zip(pictures, rings, strict=True):
         assert picture.shape == (85 * DOTS, 120 * DOTS)
@@ -70,19 +79,22 @@ def test_a_postscript_document_shows_every_area_on_its_page(tmp_path):
 
 @needs_rsvg
 @needs_ghostscript
-def test_both_formats_show_the_same(tmp_path):
+def test_all_formats_show_the_same(tmp_path):
     shapes = drawing(
         Area(UPSIDE, "#aaccee", INK),
         Line(UPSIDE * 0.5, Stroke("#aa0000", 4)),
         Disc((60, 40), 9, "#225511"),
+        Area(UPSIDE[:3] + np.array([30, 5]), "#aa7711", None, (UPSIDE[:3] * 0.4 + [44, 9],)),
         height=85,
     )
     write_svg(tmp_path / "a.svg", shapes)
     write_eps(tmp_path / "a.eps", shapes)
+    write_pdf(tmp_path / "a.pdf", [shapes])
     first = rendered_svg(tmp_path / "a.svg").astype(float)
-    second = rendered_postscript(tmp_path / "a.eps")[0].astype(float)
-    assert np.mean(np.abs(first - second) > 40) < 0.01
     assert np.mean(first < 200) > 0.02
+    for name in ("a.eps", "a.pdf"):
+        second = rendered_postscript(tmp_path / name)[0].astype(float)
+        assert np.mean(np.abs(first - second) > 40) < 0.01
 
 
 @needs_ghostscript
@@ -139,6 +151,20 @@ def test_coordinates_are_read_back_from_postscript_to_a_millionth():
     assert np.abs(numbers - ring).max() <= 1e-6
 
 
+def test_coordinates_are_read_back_from_pdf_to_a_millionth():
+    ring = np.random.default_rng(3).random((50, 2)) * [4000, 85.5]
+    page = PdfReader(io.BytesIO(pdf_document([drawing(Area(ring, "#aaccee"), width=4000.0)]))).pages[0]
+    operations = ContentStream(page.get_contents(), None).operations
+    numbers = [[float(value) for value in values] for values, name in operations if name in (b"m", b"l")]
+    assert np.abs(numbers - ring).max() <= 1e-6
+
+
+def test_text_of_any_kind_and_the_title_are_kept_in_pdf():
+    reader = PdfReader(io.BytesIO(pdf_document([everything()])))
+    assert reader.metadata.title == TEXTS[1]
+    assert "Größe \u2013 5 µm" in reader.pages[0].extract_text()
+
+
 def test_names_and_titles_are_kept_in_svg():
     root = ET.fromstring(svg_text(everything()))
     assert root.find("{http://www.w3.org/2000/svg}title").text == TEXTS[1]
@@ -161,6 +187,6 @@ def test_a_document_says_how_many_pages_it_has_and_where_they_begin():
     assert text.endswith("\n%%EOF\n")
 
 
-@pytest.mark.parametrize("render", [svg_text, eps_text])
+@pytest.mark.parametrize("render", [svg_text, eps_text, lambda drawing: pdf_document([drawing])])
 def test_equal_drawings_are_equal_files(render):
     assert render(everything(UPSIDE)) == render(everything(UPSIDE.copy()))

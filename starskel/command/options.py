@@ -1,0 +1,171 @@
+"""The words that each verb understands. Nothing that takes long to load is imported here."""
+
+import argparse
+import re
+from pathlib import Path
+
+from starskel.blending import METHODS
+from starskel.export.formats import FORMATS, LAYOUTS
+
+_FILE = "a project of the editor, or a file of pairs (polygon-pairs/1)"
+_SHAPES = ", of shapes too (polygon-multi-pairs/1)"
+
+
+def add_render(parser: argparse.ArgumentParser) -> None:
+    """Say what render understands."""
+    formats = ", ".join(f"{found.ending} ({found.name}: {', '.join(found.layouts)})" for found in FORMATS)
+    parser.description = (
+        "Write what the editor's export writes, to the byte. The ending of OUT tells the format, and what it"
+        f" can hold: {formats}. Numbered formats write a file for each frame: OUT-0001 and so on."
+    )
+    _add_pair(parser)
+    parser.add_argument("-o", "--output", type=Path, required=True, metavar="OUT", help="the file to write")
+    _add_methods(parser, "this method; may be given again (stitched; in a sheet all)")
+    parser.add_argument(
+        "--layout",
+        choices=LAYOUTS,
+        help="all frames in a row; a sheet with a row for each method and its verdict; a picture or page for"
+        " each of the frames; an animation; or the numbers (the usual one of the format)",
+    )
+    add_times(parser)
+    parser.add_argument("--eased", action="store_true", help="frames apart as they are played, with easing")
+    parser.add_argument("--separate", action="store_true", help="of shapes move each part by itself")
+    parser.add_argument("--json", action="store_true", help="print the names of the files written, as JSON")
+    _add_overlays(parser.add_argument_group("what is to be seen besides"))
+    _add_look(parser.add_argument_group("how it looks (lengths in points, colours as #rrggbb)"))
+    _add_motion(parser.add_argument_group("animations"))
+
+
+def add_gallery(parser: argparse.ArgumentParser) -> None:
+    """Say what gallery understands."""
+    parser.description = "Write a page, index.html, and a sheet for each pair with all methods."
+    parser.add_argument(
+        "files", type=Path, nargs="*", metavar="FILE", help=f"{_FILE}; without any, the program's examples"
+    )
+    parser.add_argument(
+        "-o", "--output", type=Path, required=True, metavar="DIR", help="the folder to write into"
+    )
+    _add_methods(parser)
+    add_times(parser, 7)
+
+
+def add_measure(parser: argparse.ArgumentParser) -> None:
+    """Say what measure understands."""
+    parser.description = "Print a table over all pairs and methods."
+    parser.add_argument("file", type=Path, metavar="FILE", help=_FILE)
+    parser.add_argument("--id", action="append", metavar="ID", help="only this pair; may be given again")
+    parser.add_argument("--step", type=_step, metavar="N", help="only this step of a project, from 1 (all)")
+    _add_methods(parser)
+    parser.add_argument(
+        "--frames", type=_frame_count, default=101, metavar="N", help="frames looked at (101)"
+    )
+    parser.add_argument("--json", action="store_true", help="print JSON instead of a table")
+
+
+def _add_pair(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", type=Path, metavar="FILE", help=_FILE + _SHAPES)
+    parser.add_argument("--id", metavar="ID", help="the pair; may be left out where there is but one")
+    parser.add_argument("--step", type=_step, metavar="N", help="only this step of a project, from 1 (all)")
+
+
+def _add_methods(
+    parser: argparse.ArgumentParser, words: str = "only this method; may be given again"
+) -> None:
+    parser.add_argument("--method", action="append", choices=METHODS, help=words)
+
+
+def add_times(parser: argparse.ArgumentParser, count: int = 6) -> None:
+    """Let frames be chosen by their number or by their times."""
+    times = parser.add_mutually_exclusive_group()
+    words = f"frames, evenly from t = 0 to 1 ({count})"
+    times.add_argument("--frames", type=_frame_count, default=count, metavar="N", help=words)
+    times.add_argument("--at", type=_time, nargs="+", metavar="T", help="frames at these times instead")
+
+
+def _add_overlays(group: argparse._ArgumentGroup) -> None:
+    group.add_argument("--marks", action="store_true", help="the marks as numbered pins")
+    group.add_argument("--vertices", action="store_true", help="the vertices as dots")
+    group.add_argument("--pieces", action="store_true", help="the star pieces, where the method has them")
+    group.add_argument("--skeleton", action="store_true", help="the skeleton, where the method has one")
+    group.add_argument("--plain", action="store_true", help="no captions")
+    group.add_argument(
+        "--no-signs", action="store_true", help="nothing that tells where frames cross themselves"
+    )
+
+
+def _add_look(group: argparse._ArgumentGroup) -> None:
+    group.add_argument(
+        "--fill",
+        type=_colour,
+        nargs="+",
+        metavar="COLOUR",
+        help='from t = 0 to 1, mixed in between; or "none"',
+    )
+    group.add_argument(
+        "--stroke", type=_colour, default="#20262e", metavar="COLOUR", help='outlines; or "none"'
+    )
+    group.add_argument("--stroke-width", type=_length, default=0.7, metavar="W", help="(0.7)")
+    group.add_argument(
+        "--paper", type=_colour, metavar="COLOUR", help="what is behind (nothing; white in sheets)"
+    )
+    group.add_argument("--size", type=_length, metavar="S", help="the longer side of the largest frame")
+    group.add_argument("--margin", type=_length, default=18.0, metavar="M", help="round everything (18)")
+    group.add_argument("--gap", type=_length, default=16.0, metavar="G", help="between frames (16)")
+
+
+def _add_motion(group: argparse._ArgumentGroup) -> None:
+    group.add_argument("--duration", type=_length, default=3.0, metavar="S", help="seconds one way (3)")
+    group.add_argument("--returning", action="store_true", help="come back again, the same way")
+    group.add_argument("--rate", type=_length, default=25.0, metavar="N", help="pictures a second (25)")
+    group.add_argument(
+        "--tolerance",
+        type=_length,
+        default=0.001,
+        metavar="E",
+        help="how far a vertex may stray between keys, as a part of the box of all frames (0.001)",
+    )
+
+
+def _step(text: str) -> int:
+    if not text.isdecimal() or not int(text):
+        raise argparse.ArgumentTypeError(f"{text!r} is no number of a step: they count from 1")
+    return int(text)
+
+
+def _frame_count(text: str) -> int:
+    try:
+        count = int(text)
+    except ValueError:
+        count = 0
+    if count < 2:
+        raise argparse.ArgumentTypeError(f"{text!r} is no whole number above 1 (for one frame: --at T)")
+    return count
+
+
+def _time(text: str) -> float:
+    time = _number(text)
+    if not 0 <= time <= 1:
+        raise argparse.ArgumentTypeError(f"{text!r} is no number from 0 to 1")
+    return time
+
+
+def _length(text: str) -> float:
+    length = _number(text)
+    if not 0 <= length < float("inf"):
+        raise argparse.ArgumentTypeError(f"{text!r} is no number from 0 on")
+    return length
+
+
+def _number(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        return -1.0
+
+
+def _colour(text: str) -> str | None:
+    if text == "none":
+        return None
+    if not re.fullmatch(r"#[0-9a-fA-F]{6}", text):
+        raise argparse.ArgumentTypeError(f'{text!r} is no colour: write it as #rrggbb, or "none"')
+    return text.lower()

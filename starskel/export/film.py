@@ -1,0 +1,226 @@
+"""Film: blends on their way from the first shape to the last, and the drawings of it."""
+
+from bisect import bisect_right
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import accumulate
+
+import numpy as np
+
+from starskel.blending.frames import Blend
+from starskel.easing import EVEN, Easing
+from starskel.errors import InvalidFile, told
+from starskel.export.settings import Settings
+from starskel.predicates import Floats
+from starskel.quality import Report, ShapeReport
+from starskel.shapes.shape_blend import ShapeBlend
+from starskel.sheet import style
+from starskel.sheet.comparison import Row, comparison_sheet
+from starskel.sheet.drawing import Drawing
+from starskel.sheet.keyframe import ALONE, Shown, keyframes
+from starskel.sheet.rows import Frame, Stage, box_of, row_sheet
+from starskel.sheet.shape_keyframe import shape_keyframes
+
+_LOOKS = 101
+"""So many frames of each scene are looked at to see how much room a film needs."""
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """The way from one key shape to the next, by one method.
+
+    Attributes
+    ----------
+    blend : Blend or ShapeBlend
+    report : Report or ShapeReport or None
+        What was measured of it; sheets need it.
+    length : float
+        How long it takes, beside the others.
+    easing : Easing
+        How t runs over its time.
+    name : str
+        Which of several steps it is; "" where there is but one.
+    """
+
+    blend: Blend | ShapeBlend
+    report: Report | ShapeReport | None = None
+    length: float = 1.0
+    easing: Easing = EVEN
+    name: str = ""
+
+    def frames(self, ts: Sequence[float], shown: Shown, *, moving: bool = False) -> tuple[Frame, ...]:
+        """Give the frames at each t; those that move are drawn alike at all times."""
+        if isinstance(self.blend, ShapeBlend):
+            return shape_keyframes(self.blend, ts, shown, moving=moving)
+        return keyframes(self.blend, ts, shown)
+
+    def row(self, method: str, ts: Sequence[float], shown: Shown) -> Row:
+        """Give the row of a sheet."""
+        name = ", ".join(filter(None, (method, self.name)))
+        frames = self.frames(ts, shown)
+        if isinstance(self.report, ShapeReport):
+            return Row.of_shapes(name, self.report, frames)
+        if self.report is None:
+            raise ValueError("a sheet of a scene that was not measured")
+        return Row.of(name, self.report, frames)
+
+
+@dataclass(frozen=True, eq=False)
+class Track:
+    """The whole way by one method.
+
+    Attributes
+    ----------
+    name : str
+        The method, or what else made it.
+    scenes : tuple of Scene
+        One after another.
+    """
+
+    name: str
+    scenes: tuple[Scene, ...]
+
+    @cached_property
+    def bounds(self) -> tuple[float, ...]:
+        """The shares of the whole way at which scenes begin and end."""
+        ends = list(accumulate((scene.length for scene in self.scenes), initial=0.0))
+        return tuple(end / ends[-1] for end in ends)
+
+    def at(self, time: float, eased: bool) -> tuple[int, float]:
+        """Give the scene at a share of the whole way, and its t."""
+        if len(self.scenes) == 1:
+            return 0, self.scenes[0].easing.t(time) if eased else time
+        number = min(bisect_right(self.bounds, time) - 1, len(self.scenes) - 1)
+        start, end = self.bounds[number : number + 2]
+        share = min((time - start) / (end - start), 1.0)
+        return number, self.scenes[number].easing.t(share) if eased else share
+
+    def frames(self, times: Sequence[float], eased: bool, shown: Shown) -> tuple[Frame, ...]:
+        """Give the frames at shares of the whole way."""
+        places = [self.at(time, eased) for time in times]
+        found: dict[int, Frame] = {}
+        for number, scene in enumerate(self.scenes):
+            own = [k for k, (which, _) in enumerate(places) if which == number]
+            if own:
+                found.update(zip(own, scene.frames([places[k][1] for k in own], shown), strict=True))
+        return tuple(found[k] for k in range(len(places)))
+
+
+@dataclass(frozen=True, eq=False)
+class Film:
+    """What is to be drawn.
+
+    Attributes
+    ----------
+    name : str
+        What it shows.
+    tracks : tuple of Track
+        The methods; all go the same steps.
+    settings : Settings
+        How it is to be drawn.
+    """
+
+    name: str
+    tracks: tuple[Track, ...]
+    settings: Settings
+
+    @property
+    def title(self) -> str:
+        """The name, and the method where it is not told otherwise."""
+        if len(self.tracks) > 1 or self.settings.layout == "sheet":
+            return self.name
+        return f"{self.name}: {self.tracks[0].name}"
+
+    def drawings(self) -> Iterator[Drawing]:
+        """Give the sheet, or a drawing for each frame, as the layout asks."""
+        wanted, look = self.settings, self.settings.look
+        if wanted.layout == "row":
+            frames = [frame for track in self.tracks for frame in self._frames(track)]
+            columns = len(wanted.times) if len(self.tracks) > 1 else None
+            yield row_sheet(self.title, frames, look, columns)
+        elif wanted.layout == "sheet":
+            paper = style.PAPER if look.paper is None else look.paper
+            yield comparison_sheet(self.title, self._rows(), look=replace(look, paper=paper))
+        else:
+            tracks = [self._frames(track) for track in self.tracks]
+            stage = self._stage(box_of([frame for frames in tracks for frame in frames]))
+            for number, together in enumerate(zip(*tracks, strict=True)):
+                yield stage.picture(self.title, f"frame-{number}", together)
+
+    @cached_property
+    def shots(self) -> "tuple[Shot, ...]":
+        """The parts of an animation, one after another: in each of them all that is drawn only moves."""
+        ts = np.linspace(0, 1, _LOOKS).tolist()
+        scenes = [scene for track in self.tracks for scene in track.scenes]
+        box = box_of([frame for scene in scenes for frame in scene.frames(ts, ALONE, moving=True)])
+        stage, bounds = self._stage(box), self.tracks[0].bounds
+        return tuple(
+            Shot(self, number, bounds[number], bounds[number + 1], stage)
+            for number in range(len(self.tracks[0].scenes))
+        )
+
+    @property
+    def only(self) -> Track:
+        """The one track, for formats that hold but one.
+
+        Raises
+        ------
+        InvalidFile
+            If there are several.
+        """
+        if len(self.tracks) > 1:
+            raise InvalidFile(
+                told("{count} methods do not go into one such file", count=len(self.tracks)),
+                told("choose one method, and a file for each"),
+            )
+        return self.tracks[0]
+
+    def _frames(self, track: Track) -> tuple[Frame, ...]:
+        return track.frames(self.settings.times, self.settings.eased, self.settings.shown)
+
+    def _rows(self) -> list[Row]:
+        wanted = self.settings
+        rows = []
+        for track in self.tracks:
+            for scene in track.scenes:
+                ts = [scene.easing.t(time) if wanted.eased else time for time in wanted.times]
+                rows.append(scene.row(track.name, ts, wanted.shown))
+        return rows
+
+    def _stage(self, box: Floats) -> Stage:
+        names = tuple(track.name for track in self.tracks)
+        return Stage(box, names, self.settings.look)
+
+
+@dataclass(frozen=True, eq=False)
+class Shot:
+    """A part of an animation in which the same items are drawn at all times, only elsewhere.
+
+    Attributes
+    ----------
+    film : Film
+    number : int
+        Which of the scenes it shows.
+    start, end : float
+        When it begins and ends, as shares of the whole way.
+    stage : Stage
+        The view, the same for all shots.
+    """
+
+    film: Film
+    number: int
+    start: float
+    end: float
+    stage: Stage
+
+    def drawings(self, shares: Sequence[float]) -> tuple[Drawing, ...]:
+        """Give the pictures at shares of this part's time, all of the same items."""
+        stage = replace(self.stage, look=replace(self.stage.look, signs=False, captions=False))
+        frames = [self._frames(track, shares) for track in self.film.tracks]
+        return tuple(stage.picture(self.film.title, "frame", own) for own in zip(*frames, strict=True))
+
+    def _frames(self, track: Track, shares: Sequence[float]) -> tuple[Frame, ...]:
+        scene, wanted = track.scenes[self.number], self.film.settings
+        ts = [scene.easing.t(share) if wanted.eased else share for share in shares]
+        return scene.frames(ts, wanted.shown, moving=True)

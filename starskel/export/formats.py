@@ -1,0 +1,113 @@
+"""The formats, found by what is to be drawn and by the ending of the file's name."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal, Protocol, cast
+
+from starskel.errors import InvalidFile, either, told
+
+if TYPE_CHECKING:
+    from starskel.export.film import Film
+    from starskel.task import Task
+
+Layout = Literal["row", "sheet", "frames", "animation", "numbers"]
+
+LAYOUTS: tuple[Layout, ...] = ("row", "sheet", "frames", "animation", "numbers")
+
+PICTURES: tuple[Layout, ...] = ("row", "sheet", "frames")
+
+
+class Writer(Protocol):
+    """What the module of a format offers."""
+
+    def files(self, film: "Film", task: "Task") -> Iterator[bytes]:
+        """Give the content of each file: one, or of numbered formats one for each drawing of the film.
+
+        Equal films give equal bytes.
+        """
+
+
+@dataclass(frozen=True)
+class Format:
+    """A format.
+
+    Attributes
+    ----------
+    name : str
+        What people call it.
+    ending : str
+        That of its files' names, with the dot.
+    layouts : tuple of Layout
+        What it can hold, the usual one first.
+    module : str
+        The module in this package that is its `Writer`.
+    numbered : bool
+        Whether each drawing is a file by itself, numbered where there are several.
+    """
+
+    name: str
+    ending: str
+    layouts: tuple[Layout, ...]
+    module: str
+    numbered: bool = False
+
+    @property
+    def writer(self) -> Writer:
+        """The module, loaded when it is first used."""
+        return cast(Writer, import_module(f"starskel.export.{self.module}"))
+
+
+FORMATS = (
+    Format("SVG", ".svg", PICTURES, "svg", numbered=True),
+    #     Format("animated SVG", ".svg", ("animation",), "svg_animation"),
+    Format("EPS", ".eps", PICTURES, "eps", numbered=True),
+    Format("PostScript", ".ps", ("frames", "row", "sheet"), "postscript"),
+    Format("PDF", ".pdf", ("frames", "row", "sheet"), "pdf"),
+    #     Format("Lottie", ".json", ("animation",), "lottie"),
+    Format("JSON", ".json", ("numbers",), "frames"),
+    Format("CSV", ".csv", ("numbers",), "table"),
+)
+
+
+def endings_of(layout: Layout, numbered: bool | None = None) -> tuple[str, ...]:
+    """Give the endings of the formats that can hold a layout, only of those that are numbered or are not."""
+    return tuple(
+        found.ending for found in FORMATS if layout in found.layouts and numbered in (None, found.numbered)
+    )
+
+
+def layouts_of(path: Path) -> tuple[Layout, ...]:
+    """Give what a file of this name can hold, the usual one first; numbers before pictures that move.
+
+    Raises
+    ------
+    InvalidFile
+        If no format has its ending.
+    """
+    own = [layout for found in FORMATS if found.ending == path.suffix.lower() for layout in found.layouts]
+    if not own:
+        raise _refused(path, tuple(dict.fromkeys(found.ending for found in FORMATS)))
+    return tuple(sorted(own, key=lambda layout: layout == "animation"))
+
+
+def format_for(path: Path, layout: Layout) -> Format:
+    """Give the format of a file.
+
+    Raises
+    ------
+    InvalidFile
+        If its ending does not go with the layout.
+    """
+    for found in FORMATS:
+        if found.ending == path.suffix.lower() and layout in found.layouts:
+            return found
+    raise _refused(path, endings_of(layout))
+
+
+def _refused(path: Path, endings: tuple[str, ...]) -> InvalidFile:
+    return InvalidFile(
+        told('{name} ends in "{ending}"', name=path.name, ending=path.suffix),
+        told("end it in {endings}", endings=either(endings)),
+    )

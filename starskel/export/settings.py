@@ -1,0 +1,70 @@
+"""Settings: what is wanted of an export, whatever format it goes into."""
+
+from dataclasses import dataclass, field
+
+from starskel.blending.frames import checked_times
+from starskel.errors import StarskelError
+from starskel.export.formats import Layout
+from starskel.sheet.keyframe import Shown
+from starskel.sheet.style import Look
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What is wanted of an export.
+
+    Attributes
+    ----------
+    layout : {"row", "sheet", "frames", "animation", "numbers"}
+        All frames in a row, a row for each method with its verdict, a picture or page for each frame, one
+        picture that moves, or the coordinates.
+    times : tuple of float
+        The moments of the frames, as shares of the whole way, in [0, 1]; an animation has all of them.
+    eased : bool
+        Whether the times run as they are played, with easing; else t itself is meant.
+    look : Look
+        Colours, outline, margins, size.
+    shown : Shown
+        What is to be seen on the frames besides.
+    duration : float
+        Seconds that an animation takes one way.
+    returning : bool
+        Whether an animation comes back again, the same way.
+    rate : float
+        Pictures for a second, in formats that are made of pictures.
+    tolerance : float
+        In formats that move vertices straight between keys, how far one may stray from its path, as a part of
+        the longer side of the box of all frames.
+    """
+
+    layout: Layout
+    times: tuple[float, ...] = field(default_factory=lambda: even_times(6))
+    eased: bool = False
+    look: Look = field(default_factory=Look)
+    shown: Shown = field(default_factory=Shown)
+    duration: float = 3.0
+    returning: bool = False
+    rate: float = 25.0
+    tolerance: float = 0.001
+
+    def __post_init__(self) -> None:
+        _check_positive(
+            size=1.0 if self.look.size is None else self.look.size,
+            duration=self.duration,
+            rate=self.rate,
+            tolerance=self.tolerance,
+        )
+        if not self.times:
+            raise StarskelError("there is no time to draw", "give at least one, from 0 to 1")
+        checked_times(self.times)
+
+
+def even_times(count: int) -> tuple[float, ...]:
+    """Give so many moments from 0 to 1, evenly spread."""
+    return tuple(k / (count - 1) for k in range(count))
+
+
+def _check_positive(**values: float) -> None:
+    for name, value in values.items():
+        if not 0 < value < float("inf"):
+            raise StarskelError(f"{name} is {value:g}", "give a number above 0")
