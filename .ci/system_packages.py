@@ -69,6 +69,7 @@ SETS: dict[str, list[Need]] = {
     "renderers": [
         (program, "gs", "ghostscript"),
         (program, "rsvg-convert", "librsvg2-bin"),
+        (program, "chromium", "chromium"),
         (program, "Xvfb", "xvfb"),
         (program, "xauth", "xauth"),
     ],

@@ -411,6 +411,62 @@
         <source>choose one method, and a file for each</source>
         <translation>wählen Sie ein Verfahren, und für jedes eine eigene Datei</translation>
     </message>
+    <message>
+        <source>there is no picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give one for the source or the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the view {view} has no area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give its left, bottom, right and top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an image of {width} × {height} pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give from 1 to {most} pixels a side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the easing gives {share:g}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>let it give numbers from 0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture of shape {shape} and type {type}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give an array of shape (h, w, 4) or (h, w, 3) of uint8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture of {width} × {height} pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scale it down to at most {most} pixels a side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the placement {placement} of a picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give an affine map, two rows of three finite numbers, that keeps an area</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AboutDialog</name>

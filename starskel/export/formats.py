@@ -61,11 +61,11 @@ class Format:
 
 FORMATS = (
     Format("SVG", ".svg", PICTURES, "svg", numbered=True),
-    #     Format("animated SVG", ".svg", ("animation",), "svg_animation"),
+    Format("animated SVG", ".svg", ("animation",), "svg_animation"),
     Format("EPS", ".eps", PICTURES, "eps", numbered=True),
     Format("PostScript", ".ps", ("frames", "row", "sheet"), "postscript"),
     Format("PDF", ".pdf", ("frames", "row", "sheet"), "pdf"),
-    #     Format("Lottie", ".json", ("animation",), "lottie"),
+    Format("Lottie", ".json", ("animation",), "lottie"),
     Format("JSON", ".json", ("numbers",), "frames"),
     Format("CSV", ".csv", ("numbers",), "table"),
 )

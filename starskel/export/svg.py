@@ -1,6 +1,7 @@
 """SVG out: a drawing as one file, every number a plain coordinate (no transforms, no style sheets)."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
 from xml.sax.saxutils import escape, quoteattr
 
 from starskel.export.film import Film
@@ -12,6 +13,44 @@ from starskel.task import Task
 FACE = "Helvetica, Arial, 'DejaVu Sans', sans-serif"
 
 
+@dataclass(frozen=True)
+class Element:
+    """An element of the file.
+
+    Attributes
+    ----------
+    tag : str
+    attributes : dict of str to str
+    text : str
+        What it holds.
+    inner : tuple of Element
+        The elements in it.
+    """
+
+    tag: str
+    attributes: dict[str, str] = field(default_factory=dict)
+    text: str = ""
+    inner: tuple["Element", ...] = ()
+
+    def lines(self) -> Iterator[str]:
+        """Give it as text, a line for each element."""
+        attributes = "".join(f" {name}={_quoted(value)}" for name, value in self.attributes.items())
+        if self.inner:
+            yield f"<{self.tag}{attributes}>"
+            for element in self.inner:
+                yield from element.lines()
+            if self.text:
+                yield _text(self.text)
+            yield f"</{self.tag}>"
+        elif self.tag == "text" or self.text:
+            yield f"<{self.tag}{attributes}>{_text(self.text)}</{self.tag}>"
+        elif self.tag == "g":
+            yield f"<g{attributes}>"
+            yield "</g>"
+        else:
+            yield f"<{self.tag}{attributes}/>"
+
+
 def files(film: Film, task: Task) -> Iterator[bytes]:
     """Give each drawing as a file."""
     for drawing in film.drawings():
@@ -21,62 +60,69 @@ def files(film: Film, task: Task) -> Iterator[bytes]:
 
 def svg_text(drawing: Drawing) -> str:
     """Give a drawing as SVG; y runs down there, so y is counted from the sheet's upper edge."""
+    return document(drawing, elements(drawing))
+
+
+def document(drawing: Drawing, inside: Sequence[Element]) -> str:
+    """Give a whole file of the size of a drawing."""
     width, height = decimal(drawing.width), decimal(drawing.height)
-    writer = _Writer(drawing.height)
     return "\n".join(
         [
             '<?xml version="1.0" encoding="UTF-8"?>',
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}pt" height="{height}pt"'
             f' viewBox="0 0 {width} {height}">',
             f"<title>{_text(drawing.title)}</title>",
-            *(line for item in drawing.items for line in writer.lines(item)),
+            *(line for element in inside for line in element.lines()),
             "</svg>\n",
         ]
     )
 
 
-class _Writer:
-    def __init__(self, height: float) -> None:
-        self._height = height
-
-    def lines(self, item: Item) -> list[str]:
-        match item:
-            case Group(name, items):
-                inside = [line for inner in items for line in self.lines(inner)]
-                return [f"<g id={quoteattr(name)}>", *inside, "</g>"]
-            case Area(ring, fill, stroke, holes):
-                path = " ".join(f"{self._path(points)} Z" for points in (ring, *holes))
-                rule = ' fill-rule="evenodd"' if holes else ""
-                return [f'<path d="{path}"{rule}{_paint(fill, stroke)}/>']
-            case Line(points, stroke):
-                return [f'<path d="{self._path(points)}"{_paint(None, stroke)}/>']
-            case Disc((x, y), radius, fill, stroke):
-                place = f'cx="{decimal(x)}" cy="{self._down(y)}" r="{decimal(radius)}"'
-                return [f"<circle {place}{_paint(fill, stroke)}/>"]
-            case Label():
-                return [self._label(item)]
-
-    def _down(self, y: float) -> str:
-        return decimal(self._height - y)
-
-    def _path(self, points: Floats) -> str:
-        places = [f"{decimal(x)} {self._down(y)}" for x, y in points.tolist()]
-        return "M" + " L".join(places)
-
-    def _label(self, label: Label) -> str:
-        x, y = label.place
-        weight = ' font-weight="bold"' if label.bold else ""
-        face = f'font-family="{FACE}" font-size="{decimal(label.size)}"{weight}'
-        place = f'x="{decimal(x)}" y="{self._down(y)}" text-anchor="{label.anchor}"'
-        return f'<text {place} {face} fill="{label.colour}">{_text(label.text)}</text>'
+def elements(drawing: Drawing) -> tuple[Element, ...]:
+    """Give what is drawn."""
+    return tuple(_element(item, drawing.height) for item in drawing.items)
 
 
-def _paint(fill: str | None, stroke: Stroke | None) -> str:
-    paint = f' fill="{fill or "none"}"'
-    if stroke is not None:
-        paint += f' stroke="{stroke.colour}" stroke-width="{decimal(stroke.width)}" stroke-linejoin="round"'
-        paint += ' stroke-linecap="round"'
-    return paint
+def _element(item: Item, height: float) -> Element:
+    match item:
+        case Group(name, items):
+            return Element("g", {"id": name}, inner=tuple(_element(inner, height) for inner in items))
+        case Area(ring, fill, stroke, holes):
+            path = " ".join(f"{_path(points, height)} Z" for points in (ring, *holes))
+            rule = {"fill-rule": "evenodd"} if holes else {}
+            return Element("path", {"d": path, **rule, **_paint(fill, stroke)})
+        case Line(points, stroke):
+            return Element("path", {"d": _path(points, height), **_paint(None, stroke)})
+        case Disc((x, y), radius, fill, stroke):
+            place = {"cx": decimal(x), "cy": decimal(height - y), "r": decimal(radius)}
+            return Element("circle", {**place, **_paint(fill, stroke)})
+        case Label():
+            return _label(item, height)
+
+
+def _path(points: Floats, height: float) -> str:
+    places = [f"{decimal(x)} {decimal(height - y)}" for x, y in points.tolist()]
+    return "M" + " L".join(places)
+
+
+def _label(label: Label, height: float) -> Element:
+    x, y = label.place
+    place = {"x": decimal(x), "y": decimal(height - y), "text-anchor": label.anchor}
+    face = {"font-family": FACE, "font-size": decimal(label.size)}
+    weight = {"font-weight": "bold"} if label.bold else {}
+    return Element("text", {**place, **face, **weight, "fill": label.colour}, label.text)
+
+
+def _paint(fill: str | None, stroke: Stroke | None) -> dict[str, str]:
+    paint = {"fill": fill or "none"}
+    if stroke is None:
+        return paint
+    line = {"stroke": stroke.colour, "stroke-width": decimal(stroke.width)}
+    return {**paint, **line, "stroke-linejoin": "round", "stroke-linecap": "round"}
+
+
+def _quoted(value: str) -> str:
+    return quoteattr(value) if any(letter in value for letter in '<>&"\n\t\r') else f'"{value}"'
 
 
 def _text(text: str) -> str:

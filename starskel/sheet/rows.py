@@ -103,9 +103,14 @@ class Stage:
     names: tuple[str, ...] = ("",)
     look: Look = USUAL
 
+    @property
+    def longer_side(self) -> float:
+        """The longer side of the box on paper, in points."""
+        return self.look.size or PAGE
+
     def picture(self, title: str, name: str, frames: Sequence[Frame]) -> Drawing:
         """Give one picture; as many frames as there are names stand in it."""
-        scale = (self.look.size or PAGE) / float(np.ptp(self.box, axis=0).max())
+        scale = self.longer_side / float(np.ptp(self.box, axis=0).max())
         (width, height), margin = (np.ptp(self.box, axis=0) * scale).tolist(), self.look.margin
         head = _CAPTION if len(self.names) > 1 else 0.0
         foot = _CAPTION if self.look.captions else 0.0
