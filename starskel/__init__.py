@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from starskel.decomposition.pieces import Decomposition
     from starskel.images.morph import ImageMorph, image_morph
     from starskel.images.placed import PlacedImage
+    from starskel.images.tracing import trace
     from starskel.polygon import Polygon
     from starskel.quality import Report, ShapeReport, measure
     from starskel.shapes.blend import blend
@@ -62,6 +63,7 @@ __all__ = [
     "measure",
     "suggest_marks",
     "suggest_pairing",
+    "trace",
 ]
 
 _HOMES = {
@@ -84,6 +86,7 @@ _HOMES = {
     "measure": "starskel.quality",
     "suggest_marks": "starskel.correspondence",
     "suggest_pairing": "starskel.shapes.pairing",
+    "trace": "starskel.images.tracing",
 }
 
 

@@ -19,6 +19,7 @@ examples:
   starskel render drawing.json --frames 25 -o flipbook.pdf
   starskel render drawing.json --layout animation --returning -o moving.svg
   starskel render drawing.json --layout sheet -o methods.svg
+  starskel morph pictures.json --id dog-cat --returning -o morph.gif
   starskel gallery -o gallery drawing.json shapes.json
   starskel measure shapes.json --json > figures.json
 
@@ -69,6 +70,7 @@ _VERBS = (
         "write what the editor's export writes: keyframes, sheets, animations, numbers",
         options.add_render,
     ),
+    ("morph", "write frames of pictures inside shapes, side by side or moving", options.add_morph),
     ("gallery", "write a page of many pairs, all methods side by side", options.add_gallery),
     ("measure", "print what is measured of every pair and method", options.add_measure),
 )

@@ -36,6 +36,34 @@ def add_render(parser: argparse.ArgumentParser) -> None:
     _add_motion(parser.add_argument_group("animations"))
 
 
+def add_morph(parser: argparse.ArgumentParser) -> None:
+    """Say what morph understands."""
+    parser.description = (
+        "Write frames of pictures inside shapes. OUT.gif, OUT.apng, OUT.webp and OUT.mp4 move; OUT.png holds"
+        " the frames in a row, or is a file for each frame: OUT-0001.png and so on."
+    )
+    _add_pair(parser, "a project with pictures, or a file of pairs of pictures (image-pairs/1)")
+    parser.add_argument("-o", "--output", type=Path, required=True, metavar="OUT", help="the file to write")
+    parser.add_argument("--method", choices=METHODS, default="stitched", help="(stitched)")
+    parser.add_argument("--layout", choices=("row", "frames"), default="row", help="of OUT.png (row)")
+    add_times(parser)
+    parser.add_argument("--eased", action="store_true", help="frames apart as they are played, with easing")
+    parser.add_argument(
+        "--fade", choices=("smooth", "even"), default="smooth", help="how pictures fade over (smooth)"
+    )
+    parser.add_argument(
+        "--as-it-is", action="store_true", help="keep what is transparent just inside the outlines"
+    )
+    parser.add_argument(
+        "--size", type=_pixels, default=512, metavar="N", help="pixels of a frame's longer side (512)"
+    )
+    parser.add_argument("--paper", type=_colour, metavar="COLOUR", help="what is behind, #rrggbb (nothing)")
+    group = parser.add_argument_group("what moves")
+    group.add_argument("--duration", type=_seconds, default=2.0, metavar="S", help="seconds one way (2)")
+    group.add_argument("--returning", action="store_true", help="come back again, the same way")
+    group.add_argument("--rate", type=_rate, default=25.0, metavar="N", help="frames a second (25)")
+
+
 def add_gallery(parser: argparse.ArgumentParser) -> None:
     """Say what gallery understands."""
     parser.description = "Write a page, index.html, and a sheet for each pair with all methods."
@@ -62,8 +90,8 @@ def add_measure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--json", action="store_true", help="print JSON instead of a table")
 
 
-def _add_pair(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("file", type=Path, metavar="FILE", help=_FILE + _SHAPES)
+def _add_pair(parser: argparse.ArgumentParser, file: str = _FILE + _SHAPES) -> None:
+    parser.add_argument("file", type=Path, metavar="FILE", help=file)
     parser.add_argument("--id", metavar="ID", help="the pair; may be left out where there is but one")
     parser.add_argument("--step", type=_step, metavar="N", help="only this step of a project, from 1 (all)")
 
@@ -154,6 +182,25 @@ def _length(text: str) -> float:
     if not 0 <= length < float("inf"):
         raise argparse.ArgumentTypeError(f"{text!r} is no number from 0 on")
     return length
+
+
+def _pixels(text: str) -> int:
+    return round(_within(text, 1, 8192, "number of pixels"))
+
+
+def _seconds(text: str) -> float:
+    return _within(text, 0.01, 600, "number of seconds")
+
+
+def _rate(text: str) -> float:
+    return _within(text, 0.1, 120, "number of frames a second")
+
+
+def _within(text: str, least: float, most: float, what: str) -> float:
+    number = _number(text)
+    if not least <= number <= most:
+        raise argparse.ArgumentTypeError(f"{text!r} is no {what} from {least:g} to {most:g}")
+    return number
 
 
 def _number(text: str) -> float:

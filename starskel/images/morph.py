@@ -36,7 +36,7 @@ from starskel.task import Progress, ShouldStop, Task
 View = tuple[float, float, float, float]
 """A box in the document: left, bottom, right, top."""
 
-Easing = Callable[[float], float]
+Fade = Callable[[float], float]
 """Gives for each t how much of the target's picture is seen, from 0 to 1."""
 
 Size = tuple[int, int]
@@ -67,7 +67,7 @@ class ImageMorph:
         The pictures, at least one.
     decomposition : Decomposition, optional
         That of the blend's pair, where it is known already.
-    easing : callable
+    fade : callable
         How the pictures fade into each other over t; by default slowly near both ends.
     solid : int
         So near to the outlines, in pixels of the pictures, what is not opaque counts as outside, and gets the
@@ -91,7 +91,7 @@ class ImageMorph:
         target: PlacedImage | None = None,
         *,
         decomposition: Decomposition | None = None,
-        easing: Easing = smooth,
+        fade: Fade = smooth,
         solid: int = 0,
         progress: Progress | None = None,
         should_stop: ShouldStop | None = None,
@@ -99,7 +99,7 @@ class ImageMorph:
         if source is None and target is None:
             raise StarskelError(told("there is no picture"), told("give one for the source or the target"))
         task = Task(progress, should_stop)
-        self.easing = easing
+        self.fade = fade
         self.blend = blend
         self._parts: list[Part] = []
         carriers = carriers_of(blend, decomposition, task.part(0, 0.7))
@@ -140,7 +140,7 @@ class ImageMorph:
         time = float(checked_times([t])[0])
         box = _checked_view(self.view if view is None else view)
         width, height = _checked_size(size, box)
-        seen = Seen(time, (width, height), box, _checked_share(self.easing(time)))
+        seen = Seen(time, (width, height), box, _checked_share(self.fade(time)))
         if quality == "preview":
             pixels = _painted(Preview(), self._parts, seen)
         else:
@@ -156,7 +156,7 @@ def image_morph(  # noqa: PLR0913, PLR0917 -- what is seen, of what, and when
     size: Size | int = 512,
     view: View | None = None,
     *,
-    easing: Easing = smooth,
+    fade: Fade = smooth,
     solid: int = 0,
 ) -> Pixels:
     """Give one frame of an image morph, an (h, w, 4) array of uint8 with straight alpha.
@@ -173,7 +173,7 @@ def image_morph(  # noqa: PLR0913, PLR0917 -- what is seen, of what, and when
         Width and height in pixels; or the longer of both, the other one as the view asks for.
     view : (float, float, float, float), optional
         What of the document fills the image: left, bottom, right, top. By default what shows all frames.
-    easing : callable
+    fade : callable
         How much of the target's picture is seen at t; by default it fades slowly near both ends.
     solid : int
         So near to the outlines, in pixels of the pictures, what is not opaque is taken from inside.
@@ -183,7 +183,7 @@ def image_morph(  # noqa: PLR0913, PLR0917 -- what is seen, of what, and when
     StarskelError
         If there is no picture, t is not from 0 to 1, or there is something wrong with the size or the view.
     """
-    return ImageMorph(blend, source, target, easing=easing, solid=solid).at(t, size, view)
+    return ImageMorph(blend, source, target, fade=fade, solid=solid).at(t, size, view)
 
 
 def _painted(canvas: Canvas[Image], parts: Sequence[Part], seen: Seen) -> NDArray[np.uint8]:
@@ -231,6 +231,6 @@ def _checked_size(size: Size | int, view: View) -> Size:
 def _checked_share(share: float) -> float:
     if not 0 <= share <= 1:
         raise StarskelError(
-            told("the easing gives {share:g}", share=share), told("let it give numbers from 0 to 1")
+            told("the fade gives {share:g}", share=share), told("let it give numbers from 0 to 1")
         )
     return float(share)

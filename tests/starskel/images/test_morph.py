@@ -126,22 +126,22 @@ def test_a_picture_alone_is_carried_all_the_way_at_full_strength(pair):
 def test_a_transparent_picture_fades_the_other_one_out(pair):
     blend = starskel.blend(pair)
     nothing = PlacedImage(np.zeros((1, 1, 4), dtype=np.uint8))
-    morph = ImageMorph(blend, PlacedImage(waves(*SIZE)), nothing, easing=lambda t: t)
+    morph = ImageMorph(blend, PlacedImage(waves(*SIZE)), nothing, fade=lambda t: t)
     frame = morph.at(0.25, SIZE, VIEW)
     assert np.abs(frame[inside(blend.at(0.25), reach=0.75)][:, 3].astype(int) - 191).max() <= 1
     assert not morph.at(1, SIZE, VIEW).any()
 
 
-def test_the_easing_says_how_much_of_the_target_is_seen(pair):
+def test_the_fade_says_how_much_of_the_target_is_seen(pair):
     black, white = (PlacedImage(np.full((80, 96, 3), level, dtype=np.uint8)) for level in (0, 255))
     blend = starskel.blend(pair)
-    for easing, wanted in (
+    for fade, wanted in (
         (lambda t: t, 51),
         (lambda t: t * t, 10),
         (lambda t: 0.0, 0),
         (lambda t: 1.0, 255),
     ):
-        frame = image_morph(blend, black, white, 0.2, SIZE, VIEW, easing=easing)
+        frame = image_morph(blend, black, white, 0.2, SIZE, VIEW, fade=fade)
         assert np.abs(frame[inside(blend.at(0.2), reach=1)][:, 0].astype(int) - wanted).max() <= 1
 
 
@@ -221,8 +221,8 @@ def test_bad_input_is_refused(pair):
         morph.at(0.5, (0, 5))
     with pytest.raises(starskel.StarskelError, match="no area; give its left"):
         morph.at(0.5, 8, (1, 0, 0, 1))
-    with pytest.raises(starskel.StarskelError, match=r"the easing gives 1\.5"):
-        ImageMorph(blend, picture, easing=lambda t: 1.5).at(0.5)
+    with pytest.raises(starskel.StarskelError, match=r"the fade gives 1\.5"):
+        ImageMorph(blend, picture, fade=lambda t: 1.5).at(0.5)
     with pytest.raises(starskel.StarskelError, match=r"shape \(4, 4\) and type uint8"):
         PlacedImage(np.zeros((4, 4), dtype=np.uint8))
     with pytest.raises(starskel.StarskelError, match="scale it down to at most 16384"):

@@ -1,0 +1,151 @@
+"""Files of pairs of pictures, format image-pairs/1: outlines in pixels, y down, and PNG files beside them."""
+
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+
+import msgspec
+
+from starskel.correspondence.marks import Mark
+from starskel.errors import InvalidFile, told
+from starskel.files.documents import check_format, read_document
+from starskel.files.pairs import ShapePair, by_id, entry_of
+from starskel.files.picture import Picture
+from starskel.files.project import Project, letter
+from starskel.files.raster import image_of, read_image
+from starskel.files.shapes import Row, marked_shapes, polygon_of
+from starskel.images.placed import PlacedImage
+from starskel.polygon import Polygon
+
+FORMAT = "image-pairs/1"
+
+
+class _Side(msgspec.Struct, frozen=True):
+    image: str
+    outline: list[Row]
+    name: str = ""
+
+
+class _Entry(msgspec.Struct, frozen=True, kw_only=True):
+    id: str
+    p: _Side
+    q: _Side
+    marks: list[Mark] = []
+
+
+class _Document(msgspec.Struct, frozen=True):
+    format: str
+    pairs: list[_Entry]
+
+
+@dataclass(frozen=True, eq=False)
+class ImagePair:
+    """Two shapes with their marks, and the pictures in them; one of these may be missing.
+
+    Attributes
+    ----------
+    shapes : ShapePair
+    source, target : PlacedImage or None
+    """
+
+    shapes: ShapePair
+    source: PlacedImage | None
+    target: PlacedImage | None
+
+
+class ImagePairsFile:
+    """The pairs of one file; each pair is checked when it is asked for, so that one bad pair spoils no other.
+
+    Attributes
+    ----------
+    path : Path
+        The file.
+    ids : tuple of str
+        The names of its pairs, in the file's order.
+    """
+
+    def __init__(self, path: Path, entries: list[_Entry]) -> None:
+        self.path = path
+        self._entries = by_id(path, entries)
+        self.ids = tuple(self._entries)
+
+    def pair(self, pair_id: str) -> ImagePair:
+        """Give the pair of this name: a pixel is a unit, the origin is the lower left corner of each picture.
+
+        Raises
+        ------
+        InvalidFile
+            If there is none, naming the nearest ones, or if its pictures, outlines or marks are invalid.
+        """
+        entry = entry_of(self.path, self._entries, pair_id)
+        where = told('{path}: pair "{name}"', path=self.path, name=entry.id)
+        first = self._side(entry.p, told("{where}: {what}", where=where, what=told("source (p)")))
+        second = self._side(entry.q, told("{where}: {what}", where=where, what=told("target (q)")))
+        source, target, marks = marked_shapes(first[1], second[1], entry.marks, where)
+        return ImagePair(ShapePair(entry.id, source, target, marks), first[0], second[0])
+
+    def _side(self, side: _Side, where: str) -> tuple[PlacedImage, Polygon]:
+        name = PurePosixPath(side.image)
+        if name.is_absolute() or ".." in name.parts or "\\" in side.image:
+            raise InvalidFile(
+                told(
+                    '{where}: the picture "{name}" is not in the folder of the file', where=where, name=name
+                ),
+                told("put it beside the file and give its name alone"),
+            )
+        picture = PlacedImage(read_image(self.path.parent / name))
+        rows = picture.to_document(side.outline).tolist() if side.outline else []
+        return picture, polygon_of(rows, where)
+
+
+def read_image_pairs(path: Path) -> ImagePairsFile:
+    """Read a file of pairs of pictures.
+
+    Raises
+    ------
+    InvalidFile
+        If it cannot be read, is no such file, or has no pair or two pairs of one name.
+    """
+    check_format(path, FORMAT)
+    return ImagePairsFile(path, read_document(path, _Document).pairs)
+
+
+def of_project(path: Path, project: Project, step: int) -> ImagePair:
+    """Give a step of a project with the pictures behind its shapes, where they are.
+
+    Raises
+    ------
+    InvalidFile
+        If a shape is missing, there is no picture at all, or one is damaged or too large.
+    """
+    shapes = project.pair(step)
+    pictures = (project.pictures or (None,) * len(project.shapes))[step : step + 2]
+    if pictures == (None, None):
+        raise InvalidFile(
+            told(
+                "{path} has no picture behind shape {first} or {last}",
+                path=path,
+                first=letter(step),
+                last=letter(step + 1),
+            ),
+            told("place one in the editor and save"),
+        )
+    placed = [
+        picture
+        if picture is None
+        else placed_image(
+            picture, told("{path}: the picture of shape {letter}", path=path, letter=letter(step + k))
+        )
+        for k, picture in enumerate(pictures)
+    ]
+    return ImagePair(shapes, placed[0], placed[1])
+
+
+def placed_image(picture: Picture, name: str) -> PlacedImage:
+    """Give a picture of a project as pixels in their place.
+
+    Raises
+    ------
+    InvalidFile
+        If it is damaged or too large; `name` is what errors call it.
+    """
+    return PlacedImage.in_box(image_of(picture.content, name), picture.middle, picture.size)

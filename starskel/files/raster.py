@@ -1,0 +1,205 @@
+"""Pictures as files: read with limits that are checked before memory is taken; written one by one or moving.
+
+The limits stand here: what is larger is refused, naming limit and value.
+"""
+
+import io
+import struct
+import warnings
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+import numpy as np
+from PIL import Image, ImageOps, ImageSequence, UnidentifiedImageError
+
+from starskel.errors import InvalidFile, either, told
+from starskel.files.disk import read_bytes, write_bytes
+from starskel.images.placed import LARGEST_SIDE, Pixels
+
+MOST_BYTES = 200_000_000
+"""The largest file of a picture that is read."""
+
+MOST_PIXELS = 50_000_000
+"""Pictures of more pixels are refused; in memory each takes four bytes, and 16 more while it is used."""
+
+FORMATS = ("PNG", "JPEG", "GIF", "WEBP", "BMP")
+"""What is read."""
+
+MOVING = (".gif", ".apng", ".webp")
+"""Endings of files that hold several frames."""
+
+_FAULTS = (OSError, ValueError, SyntaxError, EOFError, TypeError, KeyError, IndexError, struct.error)
+"""What Pillow raises on damaged files."""
+
+_OPAQUE = 128
+"""From this alpha on a pixel of a GIF is opaque: GIF knows nothing between."""
+
+
+def read_image(path: Path) -> Pixels:
+    """Read a picture, (h, w, 4) with straight alpha; of moving ones the first frame.
+
+    Raises
+    ------
+    InvalidFile
+        If it cannot be read, is no picture of a kind that is known, is damaged, or exceeds a limit.
+    """
+    return image_of(read_bytes(path), str(path))
+
+
+def image_of(content: bytes, name: str = "the picture") -> Pixels:
+    """Give the picture that a file of this content holds, as `read_image` does.
+
+    Parameters
+    ----------
+    content : bytes
+    name : str
+        What errors call it.
+
+    Raises
+    ------
+    InvalidFile
+        If it is no picture of a kind that is known, is damaged, or exceeds a limit.
+    """
+    if len(content) > MOST_BYTES:
+        raise InvalidFile(
+            told("{name} has {count} bytes", name=name, count=len(content)),
+            told("give a picture of at most {most} bytes", most=MOST_BYTES),
+        )
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", Image.DecompressionBombWarning)  # the size is checked below
+            image = Image.open(io.BytesIO(content), formats=FORMATS)
+    except UnidentifiedImageError:
+        raise InvalidFile(
+            told("{name} is no picture, or of a kind that is not known here", name=name),
+            told("save it as {kinds}", kinds=either(FORMATS)),
+        ) from None
+    except Image.DecompressionBombError:
+        raise _too_large(name, told("many more")) from None
+    except _FAULTS as error:
+        raise _damaged(name, error) from error
+    width, height = image.size
+    if width * height > MOST_PIXELS or max(width, height) > LARGEST_SIDE:
+        raise _too_large(name, told("{width} × {height}", width=width, height=height))
+    try:
+        return _pixels(ImageOps.exif_transpose(image))
+    except _FAULTS as error:
+        raise _damaged(name, error) from error
+
+
+def write_image(path: Path, pixels: Pixels) -> None:
+    """Write a picture as PNG, whole or not at all.
+
+    Raises
+    ------
+    InvalidFile
+        If it cannot be written.
+    """
+    write_bytes(path, png_of(pixels))
+
+
+def png_of(pixels: Pixels) -> bytes:
+    """Give a picture as a PNG file."""
+    stream = io.BytesIO()
+    Image.fromarray(pixels).save(stream, "PNG", optimize=True)
+    return stream.getvalue()
+
+
+def write_animation(path: Path, frames: Iterable[Pixels], durations: Sequence[float], loops: int = 0) -> None:
+    """Write frames as GIF, APNG or WebP, as the ending says, whole or not at all.
+
+    Parameters
+    ----------
+    path : Path
+    frames : iterable of (h, w, 4) arrays
+        All of one size, as many as durations.
+    durations : sequence of float
+        How long each is seen, in seconds. GIF counts in hundredths, the others in thousandths.
+    loops : int
+        How often it is repeated, 0 for ever.
+
+    Raises
+    ------
+    InvalidFile
+        If the ending is another one, or the file cannot be written.
+    """
+    ending = path.suffix.lower()
+    if ending not in MOVING:
+        raise InvalidFile(
+            told('{name} ends in "{ending}"', name=path.name, ending=path.suffix),
+            told("end it in {endings}", endings=either(MOVING)),
+        )
+    images = [_indexed(frame) if ending == ".gif" else Image.fromarray(frame) for frame in frames]
+    stream = io.BytesIO()
+    times = _whole(durations, 10 if ending == ".gif" else 1)
+    first, *others = images
+    common = {"save_all": True, "append_images": others, "duration": times, "loop": loops}
+    if ending == ".gif":
+        first.save(stream, "GIF", disposal=2, optimize=False, **common)
+    elif ending == ".apng":
+        first.save(stream, "PNG", **common)
+    else:
+        first.save(stream, "WEBP", lossless=True, **common)
+    write_bytes(path, stream.getvalue())
+
+
+def read_animation(path: Path) -> tuple[list[Pixels], list[float]]:
+    """Read all frames of a moving picture, and how long each is seen, in seconds.
+
+    Raises
+    ------
+    InvalidFile
+        As by `read_image`; all frames together are held to the limit of pixels.
+    """
+    content = read_bytes(path)
+    image_of(content, str(path))
+    with Image.open(io.BytesIO(content), formats=FORMATS) as image:
+        count = getattr(image, "n_frames", 1)
+        if count * image.width * image.height > MOST_PIXELS:
+            size = told(
+                "{count} times {width} × {height}", count=count, width=image.width, height=image.height
+            )
+            raise _too_large(str(path), size)
+        try:
+            frames = [(_pixels(f), f.info.get("duration", 0) / 1000) for f in ImageSequence.Iterator(image)]
+        except _FAULTS as error:
+            raise _damaged(str(path), error) from error
+    return [frame for frame, _ in frames], [duration for _, duration in frames]
+
+
+def _pixels(image: Image.Image) -> Pixels:
+    if image.mode.startswith("I"):  # 16 bits a pixel, which would be cut off at 255
+        grey = np.asarray(image, dtype=np.int64).clip(0, 65535)
+        image = Image.fromarray((grey // 257).astype(np.uint8))
+    return np.array(image.convert("RGBA"))
+
+
+def _indexed(pixels: Pixels) -> Image.Image:
+    """Give a frame with at most 255 colours of its own, and one that is transparent."""
+    image = Image.fromarray(pixels[..., :3]).quantize(255, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+    places = np.asarray(image).copy()
+    places[pixels[..., 3] < _OPAQUE] = 255
+    indexed = Image.fromarray(places, "P")
+    palette = (image.getpalette() or [])[: 3 * 255]
+    indexed.putpalette(palette + [0] * (3 * 256 - len(palette)))
+    indexed.info["transparency"] = 255
+    return indexed
+
+
+def _whole(durations: Sequence[float], unit: int) -> list[int]:
+    """Give durations in thousandths, whole units each, so that no frame strays from its time by a unit."""
+    ends = np.rint(np.cumsum(durations) * 1000 / unit).astype(int) * unit
+    return [int(step) for step in np.maximum(np.diff(ends, prepend=0), unit)]
+
+
+def _too_large(name: str, size: str) -> InvalidFile:
+    return InvalidFile(
+        told("{name} has too many pixels: {size}", name=name, size=size),
+        told("scale it down to at most {most} pixels, {side} a side", most=MOST_PIXELS, side=LARGEST_SIDE),
+    )
+
+
+def _damaged(name: str, error: BaseException) -> InvalidFile:
+    return InvalidFile(
+        told("{name} is damaged: {error}", name=name, error=error), told("take an undamaged copy")
+    )

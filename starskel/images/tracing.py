@@ -1,0 +1,158 @@
+"""Outlines of what is seen in a picture: by its alpha, or by how dark or light it is."""
+
+from collections.abc import Sequence
+from typing import Literal
+
+import contourpy
+import numpy as np
+import shapely
+
+from starskel.errors import StarskelError, told
+from starskel.images.placed import Pixels, PlacedImage
+from starskel.predicates import Floats
+from starskel.shapes.shape import Shape
+
+By = Literal["alpha", "dark", "light"]
+"""What is traced: what is opaque, what is darker than a level, or what is lighter."""
+
+LARGEST_TRACED = 2048
+"""Pictures of more pixels a side are traced at a half, a third, ... of their size."""
+
+MOST_VERTICES = 20_000
+"""Outlines with more vertices than this are refused."""
+
+LEAST_SHARE = 1e-3
+"""Specks and pinholes of less than this part of the largest area are left out."""
+
+_WORDS: dict[By, str] = {"alpha": told("opaque"), "dark": told("dark"), "light": told("light")}
+
+_LUMA = np.array([0.2126, 0.7152, 0.0722])
+"""How bright red, green and blue are (ITU-R BT.709)."""
+
+
+def trace(  # noqa: PLR0913 -- what is seen, and how much of it
+    image: PlacedImage,
+    by: By | None = None,
+    level: float = 0.5,
+    tolerance: float = 1.0,
+    *,
+    parts: Literal["largest", "all"] = "largest",
+    holes: bool = True,
+) -> Shape:
+    """Give the outline of what is seen in a picture, in the document's coordinates.
+
+    Contours run between the middles of pixels where the level lies between their values, so that smooth edges
+    give smooth outlines. No point of them is farther from the simplified outline than the tolerance.
+
+    Parameters
+    ----------
+    image : PlacedImage
+    by : {"alpha", "dark", "light"}, optional
+        By default alpha where a pixel is not opaque; else what is darker or lighter than the level, whichever
+        most of the picture's border is not.
+    level : float
+        Between 0 and 1.
+    tolerance : float
+        In pixels of the picture; 0 keeps all vertices.
+    parts : {"largest", "all"}
+        Only the part with the largest area, or all of them but for specks.
+    holes : bool
+        Whether holes are kept, but for pinholes.
+
+    Raises
+    ------
+    StarskelError
+        If nothing is found, the outline is too rugged, or a number is out of its range.
+    """
+    _check(level, tolerance)
+    chosen = by or usual(image.pixels, level)
+    step = -(-max(image.pixels.shape) // LARGEST_TRACED)
+    values = _shrunk(_values(image.pixels, chosen), step)
+    found = _contours(values, level if chosen != "dark" else 1 - level)
+    if not found:
+        raise StarskelError(
+            told(
+                "nothing in the picture is {what} enough at a level of {level:g}",
+                what=_WORDS[chosen],
+                level=level,
+            ),
+            told("choose another level, or trace something else"),
+        )
+    simple = shapely.simplify(shapely.MultiPolygon(found), tolerance / step)
+    kept = _kept(shapely.get_parts(simple).tolist(), parts, holes)
+    count = sum(len(shapely.get_coordinates(part)) for part in kept)
+    if count > MOST_VERTICES:
+        raise StarskelError(
+            told("the outline has {count} vertices", count=count),
+            told("choose a larger tolerance: {most} are the most", most=MOST_VERTICES),
+        )
+    return Shape.of_parts(
+        [(_placed(image, p.exterior, step), [_placed(image, h, step) for h in p.interiors]) for p in kept]
+    )
+
+
+def usual(pixels: Pixels, level: float = 0.5) -> By:
+    """Give what is traced of a picture where nobody says so."""
+    if (pixels[..., 3] < 255).any():
+        return "alpha"
+    border = np.concatenate([pixels[0], pixels[-1], pixels[:, 0], pixels[:, -1]])
+    return "dark" if np.median(border[:, :3] @ _LUMA) > 255 * level else "light"
+
+
+def _check(level: float, tolerance: float) -> None:
+    if not 0 < level < 1:
+        raise StarskelError(told("a level of {level:g}", level=level), told("give a number between 0 and 1"))
+    if not 0 <= tolerance < np.inf:
+        raise StarskelError(
+            told("a tolerance of {tolerance:g} pixels", tolerance=tolerance), told("give 0 or more")
+        )
+
+
+def _values(pixels: Pixels, by: By) -> Floats:
+    """Give how much each pixel belongs to what is traced, from 0 to 255; transparent ones do not."""
+    alpha = pixels[..., 3].astype(np.float64)
+    if by == "alpha":
+        return alpha
+    brightness = np.asarray(pixels[..., :3] @ _LUMA, dtype=np.float64)
+    return np.asarray((255 - brightness if by == "dark" else brightness) * alpha / 255)
+
+
+def _shrunk(values: Floats, step: int) -> Floats:
+    """Give the means of squares of so many pixels a side, 0 outside."""
+    if step == 1:
+        return values
+    height, width = values.shape
+    whole = np.pad(values, ((0, -height % step), (0, -width % step)))
+    return np.asarray(
+        whole.reshape(whole.shape[0] // step, step, whole.shape[1] // step, step).mean(axis=(1, 3))
+    )
+
+
+def _contours(values: Floats, level: float) -> list[shapely.Polygon]:
+    """Give the regions above a level as polygons; that between two values of a byte, so none touch."""
+    between = np.floor(255 * level) + 0.5 + 1 / 512  # means of squares may be halves
+    lines = contourpy.contour_generator(z=np.pad(values, 1), fill_type="OuterOffset")
+    regions = []
+    for places, starts in zip(*lines.filled(between, np.inf)[:2], strict=True):
+        rings = np.split(np.asarray(places) - 0.5, np.asarray(starts)[1:-1].astype(np.intp))
+        regions.append(shapely.Polygon(rings[0], rings[1:]))
+    return regions
+
+
+def _kept(
+    regions: Sequence[shapely.Polygon], parts: Literal["largest", "all"], holes: bool
+) -> list[shapely.Polygon]:
+    """Leave out specks and pinholes; the largest part comes first."""
+    ordered = sorted(regions, key=lambda region: -shapely.Polygon(region.exterior).area)
+    least = LEAST_SHARE * shapely.Polygon(ordered[0].exterior).area
+    some = ordered[:1] if parts == "largest" else [r for r in ordered if r.area >= least]
+    return [
+        shapely.Polygon(
+            region.exterior, [h for h in region.interiors if holes and shapely.Polygon(h).area >= least]
+        )
+        for region in some
+    ]
+
+
+def _placed(image: PlacedImage, ring: shapely.LinearRing, step: int) -> Floats:
+    return image.to_document(shapely.get_coordinates(ring)[:-1] * step)

@@ -1,0 +1,57 @@
+import json
+
+import numpy as np
+import pytest
+
+from starskel.errors import InvalidFile
+from starskel.files.image_pairs import of_project, read_image_pairs
+from starskel.files.picture import Picture
+from starskel.files.project import Project
+from starskel.files.raster import png_of, write_image
+from starskel.polygon import Polygon
+from tests.starskel.images.drawn import waves
+
+OUTLINE = [[5, 5], [5, 25], [25, 25], [25, 5]]
+
+
+def document(tmp_path, **changes):
+    side = {"image": "a.png", "outline": OUTLINE, "name": "a"}
+    entry = {"id": "one", "p": side, "q": {**side, **changes}, "marks": [[0, 0], [2, 2]]}
+    path = tmp_path / "images.json"
+    path.write_text(json.dumps({"format": "image-pairs/1", "pairs": [entry]}))
+    write_image(tmp_path / "a.png", waves(40, 30))
+    return path
+
+
+def test_outlines_lie_on_their_pictures(tmp_path):
+    pair = read_image_pairs(document(tmp_path)).pair("one")
+    assert np.array_equal(pair.source.pixels, waves(40, 30))
+    places = pair.source.to_picture(pair.shapes.source.vertices)
+    assert {tuple(place) for place in places.tolist()} == {tuple(map(float, row)) for row in OUTLINE}
+    for i, j in pair.shapes.marks:
+        assert np.array_equal(pair.shapes.source.vertices[i], pair.shapes.target.vertices[j])
+    assert pair.shapes.source.vertices[pair.shapes.marks[1][0]].tolist() == [25, 5]
+
+
+@pytest.mark.parametrize("name", ["../a.png", "/etc/a.png", "x/../../a.png", "..\\a.png"])
+def test_pictures_outside_the_folder_are_not_read(tmp_path, name):
+    with pytest.raises(InvalidFile, match="not in the folder of the file"):
+        read_image_pairs(document(tmp_path, image=name)).pair("one")
+
+
+def test_what_is_wrong_is_said_with_its_place(tmp_path):
+    with pytest.raises(InvalidFile, match=r'pair "one": target \(q\): '):
+        read_image_pairs(document(tmp_path, outline=[[0, 0], [1, 1]])).pair("one")
+    with pytest.raises(InvalidFile, match=r"missing\.png cannot be read"):
+        read_image_pairs(document(tmp_path, image="missing.png")).pair("one")
+
+
+def test_pictures_of_a_project_lie_where_it_says(tmp_path):
+    square = Polygon([(0, 0), (4, 0), (4, 4), (0, 4)])
+    picture = Picture(png_of(waves(40, 20)), (2.0, 3.0), (8.0, 4.0))
+    project = Project("p", (square, square), pictures=(picture, None))
+    pair = of_project(tmp_path / "p.json", project, 0)
+    assert pair.target is None
+    assert pair.source.to_document([(0, 0), (40, 20)]).tolist() == [[-2, 5], [6, 1]]
+    with pytest.raises(InvalidFile, match="no picture behind shape A or B"):
+        of_project(tmp_path / "p.json", Project("p", (square, square)), 0)

@@ -1,0 +1,138 @@
+import contextlib
+import io
+import struct
+import zlib
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from starskel.errors import InvalidFile
+from starskel.files import raster
+from starskel.files.raster import image_of, read_animation, read_image, write_animation, write_image
+from tests.starskel.images.drawn import noise, waves
+
+
+def content(pixels, kind, **options):
+    stream = io.BytesIO()
+    Image.fromarray(pixels).save(stream, kind, **options)
+    return stream.getvalue()
+
+
+def test_png_keeps_every_level(tmp_path):
+    pixels = noise(31, 17)
+    write_image(tmp_path / "picture.png", pixels)
+    assert np.array_equal(read_image(tmp_path / "picture.png"), pixels)
+
+
+@pytest.mark.parametrize(("kind", "off"), [("JPEG", 3), ("WEBP", 3), ("BMP", 0), ("GIF", 8)])
+def test_other_formats_are_read(kind, off):
+    pixels = waves(64, 48)
+    found = image_of(content(pixels[..., :3], kind))
+    assert found.shape == (48, 64, 4)
+    assert np.abs(found[..., :3].astype(int) - pixels[..., :3]).mean() <= off
+    assert (found[..., 3] == 255).all()
+
+
+def test_grey_palettes_and_16_bits_become_colours():
+    grey = waves(20, 10)[..., 0]
+    assert np.array_equal(image_of(content(grey, "PNG"))[..., 2], grey)
+    assert np.array_equal(image_of(content(grey.astype(np.uint16) * 257, "PNG"))[..., 1], grey)
+    stream = io.BytesIO()
+    Image.fromarray(waves(20, 10)[..., :3]).quantize(16).save(stream, "PNG", transparency=0)
+    assert set(np.unique(image_of(stream.getvalue())[..., 3])) == {0, 255}
+
+
+def test_a_picture_taken_sideways_stands_upright():
+    pixels = waves(40, 20)[..., :3]
+    exif = Image.Exif()
+    exif[0x0112] = 6
+    found = image_of(content(pixels, "PNG", exif=exif))
+    assert np.array_equal(found[..., :3], np.rot90(pixels, -1))
+
+
+@pytest.mark.parametrize("ending", raster.MOVING)
+def test_what_moves_comes_back(tmp_path, ending):
+    path = tmp_path / f"morph{ending}"
+    frames = [waves(40, 30, phase) for phase in (0, 0.7, 1.4)]
+    for k, frame in enumerate(frames):
+        frame[:, : 5 + k, 3] = 0
+    write_animation(path, frames, [0.1, 0.25, 0.05])
+    found, durations = read_animation(path)
+    assert np.allclose(durations, [0.1, 0.25, 0.05])
+    for frame, own in zip(found, frames, strict=True):
+        assert np.array_equal(frame[..., 3], own[..., 3])
+        shown = own[..., 3] > 0
+        assert np.abs(frame[shown].astype(int) - own[shown]).mean() < (6 if ending == ".gif" else 0.01)
+
+
+def test_durations_that_are_no_whole_hundredths_add_up(tmp_path):
+    path = tmp_path / "morph.gif"
+    write_animation(path, [waves(8, 8, k) for k in range(30)], [2 / 30] * 30)
+    assert sum(read_animation(path)[1]) == pytest.approx(2)
+
+
+def test_an_unknown_ending_leaves_no_file(tmp_path):
+    with pytest.raises(InvalidFile, match=r'"\.avi"; end it in \.gif or \.apng or \.webp'):
+        write_animation(tmp_path / "morph.avi", [waves(4, 4)], [1.0])
+    assert not list(tmp_path.iterdir())
+
+
+def png_of_size(width, height):
+    """A PNG that says it is large, with hardly anything in it."""
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    header = struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)
+    return (
+        b"\x89PNG\r\n\x1a\n"
+        + chunk(b"IHDR", header)
+        + chunk(b"IDAT", zlib.compress(b""))
+        + chunk(b"IEND", b"")
+    )
+
+
+@pytest.mark.parametrize(
+    "size", [(100_000, 100_000), (100_000, 1), (16_000, 16_000), (10_000, 9_000), (8_000, 7_000)]
+)
+def test_pictures_with_too_many_pixels_are_refused_before_memory_is_taken(size):
+    with pytest.raises(InvalidFile, match=r"too many pixels.*at most 50000000 pixels, 16384 a side"):
+        image_of(png_of_size(*size))
+
+
+def test_too_large_files_are_refused(monkeypatch):
+    monkeypatch.setattr(raster, "MOST_BYTES", 100)
+    with pytest.raises(InvalidFile, match="at most 100 bytes"):
+        image_of(bytes(101))
+
+
+def test_moving_pictures_are_held_to_the_limit_as_a_whole(tmp_path, monkeypatch):
+    path = tmp_path / "morph.gif"
+    write_animation(path, [waves(20, 20, k) for k in range(5)], [0.1] * 5)
+    monkeypatch.setattr(raster, "MOST_PIXELS", 1000)
+    with pytest.raises(InvalidFile, match="too many pixels: 5 times 20 × 20"):
+        read_animation(path)
+
+
+@pytest.mark.parametrize("kind", ["PNG", "JPEG", "GIF", "WEBP", "BMP"])
+def test_cut_off_and_flipped_files_are_damaged_or_read(kind):
+    whole = content(waves(32, 24)[..., :3], kind)
+    rng = np.random.default_rng(1)
+    for _ in range(60):
+        broken = bytearray(whole)
+        if rng.random() < 0.5:
+            del broken[rng.integers(1, len(whole)) :]
+        for place in rng.integers(0, len(broken), 3):
+            broken[place] ^= 1 << rng.integers(8)
+        with contextlib.suppress(InvalidFile):  # no other error, and no memory without end
+            assert image_of(bytes(broken)).nbytes <= 4 * raster.MOST_PIXELS
+
+
+@pytest.mark.parametrize("junk", [b"", b"GIF89a", b"<svg/>", b"\x89PNG\r\n\x1a\n", bytes(1000)])
+def test_what_is_no_picture_is_refused(junk, tmp_path):
+    path = Path(tmp_path / "picture.png")
+    path.write_bytes(junk)
+    with pytest.raises(InvalidFile, match=r"picture\.png"):
+        read_image(path)
