@@ -32,6 +32,9 @@ class Canvas(Protocol[Image]):
     def put(self, image: Image, pixels: Indices, colours: Colours) -> None:
         """Set the colours of some pixels."""
 
+    def premultiplied(self, image: Image) -> NDArray[np.uint8]:
+        """Give all pixels in bytes, (p, 4), colours times alpha."""
+
     def straight(self, image: Image) -> NDArray[np.uint8]:
         """Give all pixels in bytes, (p, 4), with straight alpha."""
 

@@ -118,9 +118,15 @@ class ImageMorph:
         return (*(low - margin).tolist(), *(high + margin).tolist())
 
     def at(
-        self, t: float, size: Size | int = 512, view: View | None = None, *, quality: Quality = "precise"
+        self,
+        t: float,
+        size: Size | int = 512,
+        view: View | None = None,
+        *,
+        quality: Quality = "precise",
+        premultiplied: bool = False,
     ) -> Pixels:
-        """Give the frame at t, an (h, w, 4) array of uint8 with straight alpha.
+        """Give the frame at t, an (h, w, 4) array of uint8.
 
         Parameters
         ----------
@@ -130,7 +136,9 @@ class ImageMorph:
         view : (float, float, float, float), optional
             What of the document fills the image: left, bottom, right, top. By default `view`.
         quality : {"precise", "preview"}
-            Preview is some times faster, for what moves on a screen.
+            Preview is many times faster, for what moves on a screen.
+        premultiplied : bool
+            Whether colours are multiplied by alpha, as screens want them; else alpha is straight.
 
         Raises
         ------
@@ -142,9 +150,9 @@ class ImageMorph:
         width, height = _checked_size(size, box)
         seen = Seen(time, (width, height), box, _checked_share(self.fade(time)))
         if quality == "preview":
-            pixels = _painted(Preview(), self._parts, seen)
+            pixels = _painted(Preview(), self._parts, seen, premultiplied)
         else:
-            pixels = _painted(Precise(), self._parts, seen)
+            pixels = _painted(Precise(), self._parts, seen, premultiplied)
         return pixels.reshape(height, width, 4)
 
 
@@ -186,7 +194,9 @@ def image_morph(  # noqa: PLR0913, PLR0917 -- what is seen, of what, and when
     return ImageMorph(blend, source, target, fade=fade, solid=solid).at(t, size, view)
 
 
-def _painted(canvas: Canvas[Image], parts: Sequence[Part], seen: Seen) -> NDArray[np.uint8]:
+def _painted(
+    canvas: Canvas[Image], parts: Sequence[Part], seen: Seen, premultiplied: bool
+) -> NDArray[np.uint8]:
     count = seen.size[0] * seen.size[1]
     image = canvas.blank(count)
     covered = np.zeros(count, dtype=np.float32)
@@ -201,7 +211,7 @@ def _painted(canvas: Canvas[Image], parts: Sequence[Part], seen: Seen) -> NDArra
             trim(canvas, image, frame.coverage, folded=frame.folded)
         else:
             lay(canvas, image, covered, front, frame.coverage)
-    return canvas.straight(image)
+    return canvas.premultiplied(image) if premultiplied else canvas.straight(image)
 
 
 def _checked_view(view: View) -> View:

@@ -42,6 +42,10 @@ class Precise:
         """Set the colours of some pixels."""
         image[pixels] = colours
 
+    def premultiplied(self, image: Colours) -> NDArray[np.uint8]:
+        """Give all pixels in bytes, (p, 4), colours times alpha."""
+        return np.rint(image).astype(np.uint8)
+
     def straight(self, image: Colours) -> NDArray[np.uint8]:
         """Give all pixels in bytes, (p, 4), with straight alpha."""
         return np.rint(unmultiplied(image)).astype(np.uint8)

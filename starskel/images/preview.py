@@ -53,7 +53,11 @@ class Preview:
 
     def put(self, image: Packed, pixels: Indices, colours: NDArray[np.float32]) -> None:
         """Set the colours of some pixels."""
-        image[pixels] = packed(colours)
+        image[pixels] = packed(np.minimum(colours, 255))  # a sum of rounded ones may be 256
+
+    def premultiplied(self, image: Packed) -> NDArray[np.uint8]:
+        """Give all pixels in bytes, (p, 4), colours times alpha."""
+        return _channels(image)
 
     def straight(self, image: Packed) -> NDArray[np.uint8]:
         """Give all pixels in bytes, (p, 4), with straight alpha."""

@@ -2,7 +2,7 @@
 
 import argparse
 
-from tests.benchmarks import algorithms, blending, decomposing, editing, fluency
+from tests.benchmarks import algorithms, blending, decomposing, editing, fluency, images
 
 parser = argparse.ArgumentParser(description="Show speed as ratios within one run, and prove seeded results.")
 parser.add_argument("--seed", type=int, default=0, help="of the pairs that are decomposed and proven")
@@ -15,5 +15,6 @@ decomposing.steiner_vertices(arguments.seed, arguments.pairs)
 algorithms.algorithms(arguments.seed, arguments.pairs)
 decomposing.any_seed(arguments.seed, arguments.pairs)
 blending.frames(arguments.most)
+images.pictures()
 editing.editing(arguments.most)
 fluency.lateness()

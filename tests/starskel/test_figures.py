@@ -1,12 +1,18 @@
 """What the paper's figures claim, of the examples drawn after their captions."""
 
+from pathlib import Path
+
+import numpy as np
 import pytest
+import shapely
 
 from starskel.blending.blend import blend
 from starskel.correspondence.match import match
 from starskel.decomposition.decompose import decompose
 from starskel.errors import NoDecomposition
 from starskel.files.examples import example, example_names, figure_number
+from starskel.files.image_pairs import of_project
+from starskel.images.morph import ImageMorph
 from starskel.quality import measure
 
 FRAMES = 101
@@ -24,7 +30,7 @@ def measured(number, method):
 
 def test_there_is_an_example_of_each_figure_that_shows_two_polygons():
     numbers = [figure_number(name) for name in example_names() if figure_number(name)]
-    assert numbers == [1, 2, 3, 4, 5, 6, 8, 11]
+    assert numbers == [1, 2, 3, 4, 5, 6, 8, 10, 11]
 
 
 def test_figures_come_last_and_say_what_they_show():
@@ -79,6 +85,23 @@ def test_figure_8_needs_two_steiner_vertices_for_four_pieces():
     assert len(decomposition.source) - len(pair) == 2
     assert len(decomposition.pieces) == 4
     assert measured(8, "star-skeleton").simple
+
+
+@pytest.mark.parametrize("method", ["star-skeleton", "stitched"])
+def test_figure_10_carries_pictures_of_both_shapes(method):
+    project = example("figure-10-dog")
+    pair = of_project(Path("figure-10-dog.json"), project, 0)
+    made = blend(pair_of(10), method=method)
+    morph = ImageMorph(made, pair.source, pair.target)
+    view = 0.0, 0.0, 256.0, 256.0
+    for t, picture in ((0, pair.source), (1, pair.target)):
+        deep = shapely.Polygon(made.at(t)).buffer(-1)
+        x, y = np.meshgrid(np.arange(256) + 0.5, 255.5 - np.arange(256))
+        inside = shapely.contains_xy(deep, x, y)
+        off = np.abs(morph.at(t, 256, view)[inside].astype(int) - picture.pixels[inside])
+        assert off.mean() <= 0.5
+    between = morph.at(0.5, 256, view)
+    assert (between[..., 3] > 0).sum() > 0.9 * shapely.Polygon(made.at(0.5)).area
 
 
 @pytest.mark.parametrize("method", ["star-skeleton", "stitched", "rigid"])

@@ -164,6 +164,13 @@ def test_fast_and_exact_frames_agree_within_a_few_levels(blend):
         assert np.abs(first - second).mean() < 0.5
 
 
+@pytest.mark.parametrize("quality", ["precise", "preview"])
+def test_colours_are_multiplied_by_alpha_when_that_is_asked_for(pair, quality):
+    morph = ImageMorph(starskel.blend(pair), PlacedImage(waves(*SIZE, alpha=True)))
+    straight = premultiplied(morph.at(0.4, SIZE, VIEW, quality=quality))
+    assert np.abs(morph.at(0.4, SIZE, VIEW, quality=quality, premultiplied=True) - straight).max() <= 1.5
+
+
 def test_shrunk_pictures_are_means_and_do_not_flicker(pair):
     checks = (np.indices((160, 192)).sum(axis=0) % 2).astype(np.uint8) * 255
     picture = PlacedImage.in_box(np.repeat(checks[..., None], 3, axis=2), (48, 40), (96, 80))
