@@ -5,6 +5,7 @@ import numpy as np
 from starskel.correspondence import Correspondence
 from starskel.decomposition import decompose
 from starskel.decomposition.pieces import Decomposition
+from starskel.predicates import Floats, Indices
 from starskel.shapes.bridges import chain_of, halves
 from starskel.task import Task
 
@@ -15,31 +16,31 @@ def decompose_region(pair: Correspondence, task: Task) -> Decomposition:
     Raises
     ------
     StarskelError
-        Where the holes cannot be joined to the outline by bridges that both regions have.
+        Where a region is too narrow for floating point to lead a bridge through.
     Cancelled
         If the task is told to stop.
     """
     if len(pair.starts) == 1:
         return decompose(pair, progress=task.reach, should_stop=task.should_stop)
-    rows = halves(pair, chain_of(pair, task.quiet))
-    parts = [
-        decompose(
-            _half(pair, own), progress=task.part(k / 2, (k + 1) / 2).reach, should_stop=task.should_stop
-        )
-        for k, own in enumerate(rows)
-    ]
-    return _joined(pair, list(zip(rows, parts, strict=True)))
+    chain = chain_of(pair, task.quiet)
+    first, second = (
+        np.concatenate([rows, bends])
+        for rows, bends in zip((pair.source, pair.target), chain.bends, strict=True)
+    )
+    halved = []
+    for number, rows in enumerate(halves(pair, chain)):
+        half = Correspondence(first[rows], second[rows], (), np.arange(len(rows)), np.arange(len(rows)))
+        part = task.part(number / 2, (number + 1) / 2)
+        halved.append((rows, decompose(half, progress=part.reach, should_stop=task.should_stop)))
+    return _joined(pair, (first, second), halved)
 
 
-def _half(pair: Correspondence, rows: np.ndarray) -> Correspondence:
-    own = np.arange(len(rows))
-    return Correspondence(pair.source[rows], pair.target[rows], (), own, own)
-
-
-def _joined(pair: Correspondence, parts: list[tuple[np.ndarray, Decomposition]]) -> Decomposition:
-    """Name the pieces' rows as the region does, Steiner vertices behind all others."""
-    source, target, pieces = [pair.source], [pair.target], []
-    count = len(pair)
+def _joined(
+    pair: Correspondence, points: tuple[Floats, Floats], parts: list[tuple[Indices, Decomposition]]
+) -> Decomposition:
+    """Name the pieces' rows as the region does: behind its own the bends, and then all Steiner vertices."""
+    source, target, pieces = [points[0]], [points[1]], []
+    count = len(points[0])
     for rows, part in parts:
         steiner = len(part.source) - len(rows)
         names = [*rows.tolist(), *range(count, count + steiner)]

@@ -139,11 +139,15 @@ def test_a_certified_blend_takes_no_holes_and_says_so():
     assert farthest(starskel.blend(Shape(I), Shape(I), method="certified").at(0.5), I) < 1e-9 * 100
 
 
-def test_holes_that_no_bridges_join_are_refused_with_a_way_out():
-    pair = starskel.match(Shape(B), Shape(B), pairing=[(0, 0), (1, 2), (2, 1)])
-    with pytest.raises(StarskelError, match="straight bridges that both shapes have; add vertices or marks"):
-        starskel.blend(pair)
-    assert farthest(starskel.blend(pair, method="edge-angle").at(0)[:1], B[:1]) < 1e-9 * 100
+def test_holes_that_change_places_are_joined_by_bridges_that_bend():
+    frame = [(0, 0), (60, 0), (60, 30), (0, 30)]
+    rings = [frame, [(10, 10), (20, 10), (15, 20)], [(40, 10), (50, 10), (45, 20)]]
+    pair = starskel.match(Shape(rings), Shape(rings), [[(0, 0)]] * 3, pairing=[(0, 0), (1, 2), (2, 1)])
+    blend = starskel.blend(pair, settled=False)
+    (body,) = blend.bodies
+    assert faults(body.blend.decomposition) == []
+    assert farthest(blend.at(0), rings) < 1e-9 * 60
+    assert farthest(blend.at(1), [rings[0], rings[2], rings[1]]) < 1e-9 * 60
 
 
 def test_polygons_are_blended_as_ever():
