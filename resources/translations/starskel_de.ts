@@ -467,6 +467,110 @@
         <source>give an affine map, two rows of three finite numbers, that keeps an area</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>an open path was closed</source>
+        <translation>ein offener Pfad wurde geschlossen</translation>
+    </message>
+    <message>
+        <source>the GeoJSON is damaged: {error}</source>
+        <translation>die GeoJSON-Datei ist beschädigt: {error}</translation>
+    </message>
+    <message>
+        <source>shape {number}</source>
+        <translation>Form {number}</translation>
+    </message>
+    <message>
+        <source>features without an area were left out: {count}</source>
+        <translation>Objekte ohne Fläche wurden weggelassen: {count}</translation>
+    </message>
+    <message>
+        <source>the file is no GeoJSON</source>
+        <translation>die Datei ist kein GeoJSON</translation>
+    </message>
+    <message>
+        <source>give a file whose type is FeatureCollection</source>
+        <translation>geben Sie eine Datei vom Typ FeatureCollection</translation>
+    </message>
+    <message>
+        <source>it crossed or touched itself and was cut there</source>
+        <translation>sie kreuzte oder berührte sich selbst und wurde dort zerschnitten</translation>
+    </message>
+    <message>
+        <source>it was no proper area and was mended: {reason}</source>
+        <translation>sie war keine gültige Fläche und wurde berichtigt: {reason}</translation>
+    </message>
+    <message>
+        <source>parts of it touched and were moved apart</source>
+        <translation>Teile von ihr berührten sich und wurden auseinandergerückt</translation>
+    </message>
+    <message>
+        <source>a shape touches itself in too many places</source>
+        <translation>eine Form berührt sich an zu vielen Stellen selbst</translation>
+    </message>
+    <message>
+        <source>draw it with clearer gaps</source>
+        <translation>zeichnen Sie sie mit deutlicheren Lücken</translation>
+    </message>
+    <message>
+        <source>repeated vertices were left out</source>
+        <translation>doppelte Eckpunkte wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>a part without an area was left out</source>
+        <translation>ein Teil ohne Fläche wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>give a file that ends in {endings}</source>
+        <translation>geben Sie eine Datei, die auf {endings} endet</translation>
+    </message>
+    <message>
+        <source>{path} holds no shape</source>
+        <translation>{path} enthält keine Form</translation>
+    </message>
+    <message>
+        <source>give a file with at least one closed outline</source>
+        <translation>geben Sie eine Datei mit mindestens einem geschlossenen Umriss an</translation>
+    </message>
+    <message>
+        <source>texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>the file is no SVG</source>
+        <translation>die Datei ist kein SVG</translation>
+    </message>
+    <message>
+        <source>{what} in the file were left out</source>
+        <translation>{what} in der Datei wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>it is the outline of a stroke</source>
+        <translation>sie ist der Umriss eines Strichs</translation>
+    </message>
+    <message>
+        <source>geometry {number} of the WKT is damaged: {error}</source>
+        <translation>Geometrie {number} der WKT-Datei ist beschädigt: {error}</translation>
+    </message>
+    <message>
+        <source>geometries without an area were left out: {count}</source>
+        <translation>Geometrien ohne Fläche wurden weggelassen: {count}</translation>
+    </message>
+    <message>
+        <source>the file is no WKT</source>
+        <translation>die Datei ist kein WKT</translation>
+    </message>
+    <message>
+        <source>give a text file</source>
+        <translation>geben Sie eine Textdatei</translation>
+    </message>
+    <message>
+        <source>give text that begins like &quot;POLYGON ((0 0, &quot;</source>
+        <translation>geben Sie Text, der wie „POLYGON ((0 0, “ beginnt</translation>
+    </message>
 </context>
 <context>
     <name>AboutDialog</name>

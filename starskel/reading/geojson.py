@@ -1,0 +1,66 @@
+"""GeoJSON in (RFC 7946): the areas of its features; lines are closed, points are left out."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import msgspec
+import shapely
+
+from starskel.errors import InvalidFile, told
+from starskel.reading.areas import area_of
+from starskel.reading.found import Found, Reading, uniquely_named
+
+_GEOMETRIES = {
+    "Point",
+    "MultiPoint",
+    "LineString",
+    "MultiLineString",
+    "Polygon",
+    "MultiPolygon",
+    "GeometryCollection",
+}
+
+_NAMES = ("name", "NAME", "title", "id")
+
+
+def read(content: bytes, tolerance: float) -> Reading:
+    """Give the shapes of a GeoJSON file, in its coordinates; there are no curves, so no tolerance is needed.
+
+    Raises
+    ------
+    InvalidFile
+        If it is damaged or no GeoJSON.
+    """
+    try:
+        document = msgspec.json.decode(content)
+        features = list(_features(document))
+        geometries = [shapely.from_geojson(msgspec.json.encode(geometry)) for _, geometry in features]
+    except (msgspec.DecodeError, shapely.errors.GEOSException, UnicodeDecodeError, RecursionError) as error:
+        raise InvalidFile(
+            told("the GeoJSON is damaged: {error}", error=error), told("take an undamaged copy")
+        ) from error
+    shapes, empty = [], 0
+    for number, ((name, _), geometry) in enumerate(zip(features, geometries, strict=True), 1):
+        made = area_of(geometry)
+        empty += made is None
+        if made is not None:
+            shapes.append(Found(name or told("shape {number}", number=number), *made))
+    notes = (told("features without an area were left out: {count}", count=empty),) if empty else ()
+    return Reading(uniquely_named(shapes), notes)
+
+
+def _features(document: Any) -> Iterator[tuple[str, Any]]:
+    """Give name and geometry of each feature."""
+    kind = document.get("type") if isinstance(document, dict) else None
+    if kind == "FeatureCollection":
+        for feature in document.get("features") or ():
+            yield from _features(feature)
+    elif kind == "Feature":
+        if document.get("geometry") is not None:
+            properties = document.get("properties") or {}
+            names = [properties.get(key) for key in _NAMES] + [document.get("id")]
+            yield str(next((name for name in names if name not in (None, "")), "")), document["geometry"]
+    elif kind in _GEOMETRIES:
+        yield "", document
+    else:
+        raise InvalidFile(told("the file is no GeoJSON"), told("give a file whose type is FeatureCollection"))

@@ -1,0 +1,181 @@
+"""From rings as files have them to shapes: crossing, touching and repeated points are mended, and told."""
+
+import contextlib
+from collections.abc import Sequence
+from typing import Literal
+
+import numpy as np
+import shapely
+
+from starskel.errors import InvalidFile, InvalidPolygon, told
+from starskel.outline import signed_areas
+from starskel.polygon import Polygon
+from starskel.predicates import Floats
+from starskel.shapes.shape import Shape, meet
+
+Rule = Literal["nonzero", "evenodd"]
+
+_APART = (1e-6, 1e-5, 1e-4)
+"""How far rings that touch are moved apart, as a part of the longer side of their box: the first to do."""
+
+_SAME = 1e-7
+"""Neighbours nearer than this part of the longer side of their ring's box are one vertex: files round."""
+
+_CRUMB = 1e-9
+"""Faces smaller than this part of the square over the longer side of the box are left out."""
+
+
+def shape_of_rings(rings: Sequence[Floats], rule: Rule) -> tuple[Shape, tuple[str, ...]] | None:
+    """Give what rings enclose by a rule for filling, and what was mended; None where that is nothing.
+
+    Parameters
+    ----------
+    rings : sequence of (n, 2) arrays
+        In any order, closed or open; by "nonzero" their direction matters.
+    rule : {"nonzero", "evenodd"}
+        Which points are inside: those that the rings wind round, or wind round an odd number of times.
+    """
+    repairs: list[str] = []
+    kept = [cleaned for ring in rings if (cleaned := _cleaned(ring, repairs)) is not None]
+    if not kept:
+        return None
+    polygons = _polygons(kept)
+    if polygons is None or any(
+        meet(one, other) for number, one in enumerate(polygons) for other in polygons[:number]
+    ):
+        repairs.append(told("it crossed or touched itself and was cut there"))
+        return shape_of_geometry(_filled(kept, rule), repairs)
+    if len(polygons) == 1:
+        return Shape(polygons), tuple(repairs)
+    parts = _parts(kept, rule)
+    return (Shape.of_parts(parts), tuple(repairs)) if parts else None
+
+
+def shape_of_geometry(
+    geometry: shapely.Geometry, repairs: Sequence[str] = ()
+) -> tuple[Shape, tuple[str, ...]] | None:
+    """Give an area as a shape, and what was mended; None where it has no extent.
+
+    Parameters
+    ----------
+    geometry : shapely.Geometry
+        Of what is in it only polygons count.
+    repairs : sequence of str
+        What was mended before.
+    """
+    told_already = list(repairs)
+    if not shapely.is_valid(geometry):
+        reason = shapely.is_valid_reason(geometry).replace("[", " at (").replace("]", ")")
+        told_already.append(told("it was no proper area and was mended: {reason}", reason=reason))
+        geometry = shapely.make_valid(geometry, method="structure")
+    area = _area(geometry)
+    if area.is_empty:
+        return None
+    low_x, low_y, high_x, high_y = area.bounds
+    side = max(high_x - low_x, high_y - low_y)
+    for apart in (0.0, *_APART):
+        parted = _parted(area, apart * side) if apart else area
+        if parted.is_empty:
+            return None
+        with contextlib.suppress(InvalidPolygon):
+            moved = [told("parts of it touched and were moved apart")] if apart else []
+            return Shape(parted), (*told_already, *moved)
+    raise InvalidFile(told("a shape touches itself in too many places"), told("draw it with clearer gaps"))
+
+
+def _parted(area: shapely.MultiPolygon, apart: float) -> shapely.MultiPolygon:
+    """Draw the edge of an area inwards, and lay its vertices on a finer grid, where no two all but meet."""
+    return _area(shapely.set_precision(area.buffer(-apart, join_style="mitre"), apart / 8))
+
+
+def _cleaned(ring: Floats, repairs: list[str]) -> Floats | None:
+    """Give a ring without repeated points; None where it encloses nothing."""
+    given = np.asarray(ring, dtype=np.float64).reshape(-1, 2)
+    closed = len(given) > 1 and bool((given[0] == given[-1]).all())
+    points = _distinct(given[:-1] if closed else given)
+    if len(points) > 2 and (given[1:] == given[:-1]).all(axis=1).any():
+        told_once = told("repeated vertices were left out")
+        repairs += [] if told_once in repairs else [told_once]
+    if len(points) < 3 or not np.isfinite(points).all() or not shapely.MultiPoint(points).convex_hull.area:
+        repairs.append(told("a part without an area was left out"))
+        return None
+    return points
+
+
+def _distinct(points: Floats) -> Floats:
+    """Leave out vertices that are where the one before them is."""
+    steps = points - np.roll(points, 1, axis=0)
+    apart = np.hypot(steps[:, 0], steps[:, 1]) > _SAME * float(np.ptp(points, axis=0).max(initial=0.0))
+    return np.asarray(points[apart])
+
+
+def _polygons(rings: Sequence[Floats]) -> list[Polygon] | None:
+    """Give the rings as polygons; None where one is none."""
+    try:
+        return [Polygon(ring) for ring in rings]
+    except InvalidPolygon:
+        return None
+
+
+def _parts(rings: Sequence[Floats], rule: Rule) -> list[tuple[Floats, list[Floats]]]:
+    """Give what rings that are apart enclose: outlines, each with its holes."""
+    winds = np.array([np.sign(signed_areas(ring)) for ring in rings])
+    inside = np.array(
+        [
+            [k != own and _inside(ring, other) for k, other in enumerate(rings)]
+            for own, ring in enumerate(rings)
+        ]
+    )
+    before = _is_filled(inside @ winds, rule)
+    within = _is_filled(inside @ winds + winds, rule)
+    outlines = np.flatnonzero(within & ~before).tolist()
+    holes = np.flatnonzero(before & ~within).tolist()
+    owner = {hole: _smallest([k for k in outlines if inside[hole, k]], rings) for hole in holes}
+    return [(rings[k], [rings[hole] for hole, own in owner.items() if own == k]) for k in outlines]
+
+
+def _inside(ring: Floats, other: Floats) -> bool:
+    return bool(shapely.contains_xy(shapely.Polygon(other), *ring[0]))
+
+
+def _smallest(numbers: Sequence[int], rings: Sequence[Floats]) -> int:
+    return min(numbers, key=lambda k: float(abs(signed_areas(rings[k]))))
+
+
+def _is_filled(winding: Floats, rule: Rule) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
+    return np.asarray(winding % 2 != 0 if rule == "evenodd" else winding != 0)
+
+
+def _filled(rings: Sequence[Floats], rule: Rule) -> shapely.Geometry:
+    """Give what rings that meet enclose: their faces, counting how often they wind round each."""
+    lines = shapely.union_all([shapely.LinearRing(ring) for ring in rings])
+    faces = np.array(shapely.get_parts(shapely.polygonize(shapely.get_parts(lines).tolist())))
+    middles = shapely.get_coordinates(shapely.point_on_surface(faces))
+    winding = np.sum([_winding(ring, middles) for ring in rings], axis=0)
+    return shapely.union_all(faces[_is_filled(winding, rule)])
+
+
+def _winding(ring: Floats, points: Floats) -> Floats:
+    """Give how often a ring winds round each point: edges up less edges down across a ray to its right."""
+    a, b = ring[:, None], np.roll(ring, -1, axis=0)[:, None]
+    up = (a[..., 1] <= points[:, 1]) & (points[:, 1] < b[..., 1])
+    down = (b[..., 1] <= points[:, 1]) & (points[:, 1] < a[..., 1])
+    across = (b[..., 0] - a[..., 0]) * (points[:, 1] - a[..., 1])
+    left = across - (points[:, 0] - a[..., 0]) * (b[..., 1] - a[..., 1])
+    return np.asarray(((up & (left > 0)).astype(float) - (down & (left < 0))).sum(axis=0))
+
+
+def _area(geometry: shapely.Geometry) -> shapely.MultiPolygon:
+    """Give the polygons of a geometry, without crumbs that only rounding made."""
+    parts = [part for part in shapely.get_parts(shapely.get_parts(geometry)) if part.geom_type == "Polygon"]
+    if not parts:
+        return shapely.MultiPolygon()
+    low, high = np.array([part.bounds for part in parts]).reshape(-1, 2, 2).transpose(1, 0, 2)
+    least = _CRUMB * float((high.max(axis=0) - low.min(axis=0)).max()) ** 2
+    return shapely.MultiPolygon([_without_crumbs(part, least) for part in parts if part.area > least])
+
+
+def _without_crumbs(part: shapely.Polygon, least: float) -> shapely.Polygon:
+    holes = [hole for hole in part.interiors if shapely.Polygon(hole).area > least]
+    outline, *inner = [_distinct(shapely.get_coordinates(ring)[:-1]) for ring in (part.exterior, *holes)]
+    return shapely.Polygon(outline, inner)

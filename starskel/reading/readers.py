@@ -1,0 +1,88 @@
+"""The readers, found by the ending of a file's name."""
+
+from dataclasses import dataclass
+from importlib import import_module
+from pathlib import Path
+from typing import Protocol, cast
+
+from starskel.errors import InvalidFile, either, told
+from starskel.files.disk import read_bytes
+from starskel.reading.found import Reading
+
+TOLERANCE = 0.0005
+"""How far lines may leave curves by default, as a part of the longer side of a shape's box."""
+
+
+class Reader(Protocol):
+    """What the module of a format offers."""
+
+    def read(self, content: bytes, tolerance: float) -> Reading:
+        """Give the shapes in a file's content; `tolerance` as for `read_shapes`.
+
+        Raises
+        ------
+        InvalidFile
+            If it is damaged or of another format.
+        """
+
+
+@dataclass(frozen=True)
+class Format:
+    """A format that shapes are read from: its name, the endings of its files, its module in this package."""
+
+    name: str
+    endings: tuple[str, ...]
+    module: str
+
+    @property
+    def reader(self) -> Reader:
+        """The module, loaded when it is first used."""
+        return cast(Reader, import_module(f"starskel.reading.{self.module}"))
+
+
+FORMATS = (
+    Format("SVG", (".svg",), "svg"),
+    Format("GeoJSON", (".geojson",), "geojson"),
+    Format("WKT", (".wkt",), "wkt"),
+)
+
+ENDINGS = tuple(ending for found in FORMATS for ending in found.endings)
+
+
+def read_shapes(path: Path, tolerance: float = TOLERANCE) -> Reading:
+    """Read the shapes of a drawing or a map.
+
+    Parameters
+    ----------
+    path : Path
+        The ending of its name tells the format.
+    tolerance : float
+        How far lines may leave curves, as a part of the longer side of a shape's box.
+
+    Returns
+    -------
+    Reading
+        At least one shape, in the file's order, and what was mended.
+
+    Raises
+    ------
+    InvalidFile
+        If it cannot be read, is damaged, or holds no shape.
+    """
+    found = next((own for own in FORMATS if path.suffix.lower() in own.endings), None)
+    if found is None:
+        raise InvalidFile(
+            told('{name} ends in "{ending}"', name=path.name, ending=path.suffix),
+            told("give a file that ends in {endings}", endings=either(ENDINGS)),
+        )
+    content = read_bytes(path)
+    try:
+        reading = found.reader.read(content, tolerance)
+    except InvalidFile as error:
+        raise InvalidFile(told("{where}: {what}", where=path, what=error.what), error.mend) from error
+    if not reading.shapes:
+        raise InvalidFile(
+            told("{path} holds no shape", path=path),
+            told("give a file with at least one closed outline"),
+        )
+    return reading
