@@ -6,11 +6,12 @@ from pathlib import Path
 from typing import Literal
 
 from app.compute import Result
-from starskel.easing import EVEN, Easing
+from app.model.sequence import USUAL
 from starskel.export import formats
 from starskel.export.film import Film, Scene, Track
 from starskel.export.settings import Settings, even_times
 from starskel.export.write import write
+from starskel.files.step import Step
 from starskel.sheet.keyframe import Shown
 
 Layout = Literal["row", "frame", "pages", "sheet"]
@@ -46,8 +47,10 @@ class Choice:
         The moment, for the layout of one frame.
     marks, pieces, skeleton : bool
         What is shown on the frames.
-    easing : Easing
-        How t runs over the time: keyframes are evenly apart in time.
+    eased : bool
+        Whether keyframes are evenly apart in the time of playing, with easing; else in t.
+    whole : bool
+        Whether all steps of the sequence are wanted, for all layouts but the frame.
     """
 
     layout: Layout
@@ -57,7 +60,8 @@ class Choice:
     marks: bool = False
     pieces: bool = False
     skeleton: bool = False
-    easing: Easing = EVEN
+    eased: bool = False
+    whole: bool = False
 
     @property
     def settings(self) -> Settings:
@@ -66,21 +70,55 @@ class Choice:
         return Settings(
             layout=OUTPUTS[self.layout],
             times=(self.t,) if single else even_times(self.frames),
-            eased=not single,
+            eased=self.eased and not single,
             shown=Shown(self.marks, self.pieces, self.skeleton),
         )
 
 
-def write_choice(path: Path, name: str, choice: Choice, results: Sequence[Result]) -> None:
+@dataclass(frozen=True, eq=False)
+class Stretch:
+    """A step of the sequence as it is exported.
+
+    Attributes
+    ----------
+    results : tuple of Result
+        Of each method its blend.
+    step : Step
+        How long it takes, and with which easing.
+    name : str
+        Which step it is; "" where there is but one.
+    """
+
+    results: tuple[Result, ...]
+    step: Step = USUAL
+    name: str = ""
+
+    def scene(self, method: str) -> Scene:
+        """Give the blend by a method, as the library draws it."""
+        result = next(each for each in self.results if each.method == method)
+        return Scene(result.blend, result.report, self.step.duration, self.step.easing, self.name)
+
+
+def write_choice(path: Path, name: str, choice: Choice, stretches: Sequence[Stretch]) -> None:
     """Write what was chosen; the ending of the file's name tells the format.
+
+    Parameters
+    ----------
+    path : Path
+        Where to.
+    name : str
+        What the document is called.
+    choice : Choice
+    stretches : sequence of Stretch
+        One after another; all have the same methods.
 
     Raises
     ------
     InvalidFile
         If the ending does not go with the layout, or the file cannot be written.
     """
-    wanted = [result for result in results if choice.layout == "sheet" or result.method == choice.method]
-    tracks = tuple(
-        Track(result.method, (Scene(result.blend, result.report, easing=choice.easing),)) for result in wanted
+    methods = (
+        [result.method for result in stretches[0].results] if choice.layout == "sheet" else [choice.method]
     )
+    tracks = tuple(Track(method, tuple(each.scene(method) for each in stretches)) for method in methods)
     write(path, Film(name, tracks, choice.settings))

@@ -60,8 +60,7 @@ class Blends(QObject):
     @property
     def fresh(self) -> tuple[Result, ...]:
         """The blends of the first step as it is now, in the order in which they are shown."""
-        states = self.results.values()
-        return tuple(state.result for state in states if state.result is not None and not state.stale)
+        return tuple(state.fresh for state in self.results.values() if state.fresh is not None)
 
     def show(
         self,

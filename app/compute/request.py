@@ -2,16 +2,19 @@
 
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from app.model.document import Point
 from app.model.marks import Marks
 from app.model.sequence import Sequence
-from starskel import Blend, Report
 from starskel.blending import STEERED
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
+
+if TYPE_CHECKING:  # what blends is loaded by the worker, so that the window opens sooner
+    from starskel import Blend, Report
 
 
 @dataclass(frozen=True)
@@ -99,8 +102,8 @@ class Result:
     """
 
     method: str
-    blend: Blend
-    report: Report
+    blend: "Blend"
+    report: "Report"
     samples: Floats
     settled: bool = True
 
@@ -140,6 +143,11 @@ class MethodState:
     def settled(self) -> bool:
         """Whether no better result is to be expected."""
         return self.result is None or self.result.settled
+
+    @property
+    def fresh(self) -> Result | None:
+        """The result, where it belongs to the shapes as they are now."""
+        return None if self.stale else self.result
 
     def outdated(self) -> "MethodState":
         """Mark it stale; the last good blend stays."""

@@ -20,7 +20,6 @@ from app.export import ENDINGS, Choice, Layout
 from app.view import words
 from app.view.display import Display
 from app.view.player import Player
-from starskel.easing import EVEN
 
 _LAYOUTS: tuple[tuple[Layout, object], ...] = (
     ("row", QT_TRANSLATE_NOOP("ExportDialog", "Keyframes in a row")),
@@ -34,7 +33,13 @@ class ExportDialog(QDialog):
     """Asks for a `Choice`; fields that do not matter for the layout are greyed out."""
 
     def __init__(
-        self, methods: Sequence[str], player: Player, display: Display, parent: QWidget | None = None
+        self,
+        methods: Sequence[str],
+        player: Player,
+        display: Display,
+        parent: QWidget | None = None,
+        *,
+        whole: bool = False,
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Export keyframes"))
@@ -51,9 +56,13 @@ class ExportDialog(QDialog):
         self._t.setRange(0, 1)
         self._t.setSingleStep(0.01)
         self._t.setValue(player.t)
+        self._can_be_whole = whole
+        self._whole = QCheckBox(self.tr("The whole sequence"))
+        self._whole.setToolTip(self.tr("From the first key shape to the last, once all steps are blended"))
+        self._whole.setChecked(whole)
         self._easing = player.easing
         self._eased = QCheckBox(self.tr("Apart as played, with easing"))
-        self._eased.setChecked(not player.easing.even)
+        self._eased.setChecked(whole or not player.easing.even)
         self._marks = QCheckBox(self.tr("Marks"))
         self._pieces = QCheckBox(self.tr("Star pieces"))
         self._pieces.setChecked(display.layers.pieces)
@@ -62,6 +71,7 @@ class ExportDialog(QDialog):
         self._formats = QLabel()
         self._arrange()
         self._layout_field.currentIndexChanged.connect(self._follow)
+        self._whole.toggled.connect(self._follow)
         self._follow()
 
     @property
@@ -75,13 +85,15 @@ class ExportDialog(QDialog):
             self._marks.isChecked(),
             self._pieces.isChecked(),
             self._skeleton.isChecked(),
-            self._easing if self._eased.isChecked() else EVEN,
+            self._eased.isChecked(),
+            self._whole.isEnabled() and self._whole.isChecked(),
         )
 
     def _arrange(self) -> None:
         form = QFormLayout()
         for label, field in (
             (self.tr("&What"), self._layout_field),
+            ("", self._whole),
             (self.tr("&Method"), self._method),
             (self.tr("&Keyframes"), self._frames),
             ("", self._eased),
@@ -93,7 +105,7 @@ class ExportDialog(QDialog):
         ):
             form.addRow(label, field)
             field.setAccessibleName(label.replace("&", "") or field.accessibleName())
-        for box in (self._eased, self._marks, self._pieces, self._skeleton):
+        for box in (self._whole, self._eased, self._marks, self._pieces, self._skeleton):
             box.setAccessibleName(box.text())
         kind = QDialogButtonBox.StandardButton
         buttons = QDialogButtonBox(kind.Save | kind.Cancel)
@@ -109,6 +121,8 @@ class ExportDialog(QDialog):
         layout: Layout = self._layout_field.currentData()
         self._method.setEnabled(layout != "sheet")
         self._frames.setEnabled(layout != "frame")
-        self._eased.setEnabled(layout != "frame" and not self._easing.even)
+        self._whole.setEnabled(layout != "frame" and self._can_be_whole)
+        whole = self._whole.isEnabled() and self._whole.isChecked()
+        self._eased.setEnabled(layout != "frame" and (whole or not self._easing.even))
         self._t.setEnabled(layout == "frame")
         self._formats.setText(", ".join(ending[1:].upper() for ending in ENDINGS[layout]))

@@ -1,12 +1,12 @@
 """Files from the user's side: new, open, save, export, and no change lost on the way."""
 
 from dataclasses import replace
+from importlib import import_module
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtWidgets import QDialog, QMainWindow
 
-from app.export import ENDINGS, write_choice
 from app.session import Session
 from app.view import words
 from app.view.dialogs import (
@@ -19,7 +19,6 @@ from app.view.dialogs import (
     path_to_save,
 )
 from app.view.display import Display
-from app.view.export_dialog import ExportDialog
 from app.view.player import Player
 from app.view.remembered import remember_file
 from starskel.errors import StarskelError
@@ -111,21 +110,11 @@ class Files(QObject):
     @Slot()
     def export(self) -> None:
         """Ask what to export and where, and write it."""
-        results = self._session.fresh_results
-        dialog = ExportDialog([r.method for r in results], self._player, self._display, self._window)
-        if dialog.exec() != QDialog.DialogCode.Accepted:
-            return
-        choice = dialog.choice
-        title, endings = self.tr("Export"), ENDINGS[choice.layout]
-        path = path_to_save(self._window, title, self._folder / f"{self.name}{endings[0]}", endings)
-        if path is None:
-            return
-        self._folder = path.parent
-        try:
-            write_choice(path, self.name, choice, results)
-        except StarskelError as error:
-            complain(self._window, self.tr("{name} was not written").format(name=path.name), error)
-        else:
+        exporting = import_module("app.view.exporting")  # not before, so that the window opens sooner
+        file = self._folder / self.name
+        path = exporting.export(self._window, self._session, self._player, self._display, file)
+        if path is not None:
+            self._folder = path.parent
             self.exported.emit(path)
 
     def _open_pair(self, path: Path) -> None:

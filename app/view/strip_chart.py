@@ -1,6 +1,7 @@
 """Strip chart: how far each method's area and lengths stray over t, and where its frames cross themselves."""
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Slot
@@ -15,8 +16,10 @@ from app.view.player import Player
 from app.view.theme import Theme, theme_of
 from app.view.verdicts import Span, crossing_spans
 from starskel.predicates import Floats
-from starskel.quality import Report
 from starskel.sheet.words import percent
+
+if TYPE_CHECKING:
+    from starskel.quality import Report
 
 LEAST_RANGE = 0.05
 """The plots never magnify more than to this deviation, so that small ones look small."""
@@ -46,7 +49,7 @@ class Curve:
 
     number: int
     method: str
-    report: Report
+    report: "Report"
     stale: bool
 
 

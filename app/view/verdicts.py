@@ -1,14 +1,16 @@
 """What a report says, in a few words and in many, and where over t its blend crosses itself."""
 
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QCoreApplication
 
 from app.view.words import figure
-from starskel.quality import Report
 from starskel.sheet.words import crossing_words, percent, spans
+
+if TYPE_CHECKING:
+    from starskel.quality import Report
 
 translate = QCoreApplication.translate
 
@@ -16,7 +18,7 @@ HARDLY = 1e-6
 """Moments nearer to each other count as one."""
 
 
-def summaries(report: Report) -> tuple[str, ...]:
+def summaries(report: "Report") -> tuple[str, ...]:
     """Give the verdict in a line that stands above a frame, and in shorter ones where there is less room."""
     area = figure(percent(report.area_deviation))
     if report.simple:
@@ -38,7 +40,7 @@ def summaries(report: Report) -> tuple[str, ...]:
     )
 
 
-def details(report: Report) -> str:
+def details(report: "Report") -> str:
     """Give all figures, a line each."""
     times = report.times.tolist()
     lines = [
@@ -59,7 +61,7 @@ def details(report: Report) -> str:
     return "\n".join(lines)
 
 
-def _crossings(report: Report) -> list[str]:
+def _crossings(report: "Report") -> list[str]:
     if report.simple:
         if report.proven:
             return [translate("Verdict", "Never crosses itself: proven for every t."), *_certificate(report)]
@@ -75,7 +77,7 @@ def _crossings(report: Report) -> list[str]:
     return lines
 
 
-def _certificate(report: Report) -> list[str]:
+def _certificate(report: "Report") -> list[str]:
     """Say how a certified blend came about, and how far vertices stay from edges."""
     ways = {
         "as stitched": translate("Verdict", "These are the frames of the stitched blend."),
@@ -89,7 +91,7 @@ def _certificate(report: Report) -> list[str]:
     return lines
 
 
-def crosses_at(report: Report, t: float) -> bool:
+def crosses_at(report: "Report", t: float) -> bool:
     """Tell whether the frame that was measured nearest to t crosses itself."""
     return bool(report.crosses[round(t * (len(report.times) - 1))])
 
@@ -102,7 +104,7 @@ class Span(NamedTuple):
     natural: bool
 
 
-def crossing_spans(report: Report) -> list[Span]:
+def crossing_spans(report: "Report") -> list[Span]:
     """Give the stretches of crossing frames, naturally crossing ones apart from others."""
     spans = [
         Span(float(report.times[run[0]]), float(report.times[run[-1]]), natural)
@@ -123,7 +125,7 @@ def _runs(frames: Sequence[int]) -> list[list[int]]:
     return runs
 
 
-def next_crossing(reports: Iterable[Report], t: float) -> float | None:
+def next_crossing(reports: "Iterable[Report]", t: float) -> float | None:
     """Give the next moment after t when one of the blends begins to cross itself, or else the first."""
     starts = sorted({span.start for report in reports for span in crossing_spans(report)})
     later = [start for start in starts if start > t + HARDLY]

@@ -224,6 +224,26 @@
         <translation>Ziel (q)</translation>
     </message>
     <message>
+        <source>{where}: the picture &quot;{name}&quot; is not in the folder of the file</source>
+        <translation>{where}: Das Bild „{name}“ liegt nicht im Ordner der Datei</translation>
+    </message>
+    <message>
+        <source>put it beside the file and give its name alone</source>
+        <translation>legen Sie es neben die Datei, und geben Sie nur seinen Namen an</translation>
+    </message>
+    <message>
+        <source>{path} has no picture behind shape {first} or {last}</source>
+        <translation>{path} hat kein Bild hinter Form {first} oder {last}</translation>
+    </message>
+    <message>
+        <source>place one in the editor and save</source>
+        <translation>legen Sie im Editor eines dahinter, und speichern Sie</translation>
+    </message>
+    <message>
+        <source>{path}: the picture of shape {letter}</source>
+        <translation>{path}: Das Bild der Form {letter}</translation>
+    </message>
+    <message>
         <source>choose one of {names}</source>
         <translation>wählen Sie eines von {names}</translation>
     </message>
@@ -413,59 +433,59 @@
     </message>
     <message>
         <source>there is no picture</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt kein Bild</translation>
     </message>
     <message>
         <source>give one for the source or the target</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie eines für die Ausgangsform oder das Ziel an</translation>
     </message>
     <message>
         <source>the view {view} has no area</source>
-        <translation type="unfinished"></translation>
+        <translation>der Ausschnitt {view} hat keine Fläche</translation>
     </message>
     <message>
         <source>give its left, bottom, right and top</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie links, unten, rechts und oben an</translation>
     </message>
     <message>
         <source>an image of {width} × {height} pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Bild von {width} × {height} Pixeln</translation>
     </message>
     <message>
         <source>give from 1 to {most} pixels a side</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie für jede Seite 1 bis {most} Pixel an</translation>
     </message>
     <message>
-        <source>the easing gives {share:g}</source>
-        <translation type="unfinished"></translation>
+        <source>the fade gives {share:g}</source>
+        <translation>die Überblendung ergibt {share:g}</translation>
     </message>
     <message>
         <source>let it give numbers from 0 to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>lassen Sie sie Zahlen von 0 bis 1 ergeben</translation>
     </message>
     <message>
         <source>a picture of shape {shape} and type {type}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Bild der Gestalt {shape} vom Typ {type}</translation>
     </message>
     <message>
         <source>give an array of shape (h, w, 4) or (h, w, 3) of uint8</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie ein Feld der Gestalt (h, w, 4) oder (h, w, 3) aus uint8 an</translation>
     </message>
     <message>
         <source>a picture of {width} × {height} pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Bild von {width} × {height} Pixeln</translation>
     </message>
     <message>
         <source>scale it down to at most {most} pixels a side</source>
-        <translation type="unfinished"></translation>
+        <translation>verkleinern Sie es auf höchstens {most} Pixel je Seite</translation>
     </message>
     <message>
         <source>the placement {placement} of a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>die Lage {placement} eines Bildes</translation>
     </message>
     <message>
         <source>give an affine map, two rows of three finite numbers, that keeps an area</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie eine affine Abbildung mit zwei Zeilen aus je drei endlichen Zahlen an, die eine Fläche übrig lässt</translation>
     </message>
     <message>
         <source>an open path was closed</source>
@@ -570,6 +590,98 @@
     <message>
         <source>give text that begins like &quot;POLYGON ((0 0, &quot;</source>
         <translation>geben Sie Text, der wie „POLYGON ((0 0, “ beginnt</translation>
+    </message>
+    <message>
+        <source>{name} has {count} bytes</source>
+        <translation>{name} hat {count} Bytes</translation>
+    </message>
+    <message>
+        <source>give a picture of at most {most} bytes</source>
+        <translation>geben Sie ein Bild von höchstens {most} Bytes an</translation>
+    </message>
+    <message>
+        <source>{name} is no picture, or of a kind that is not known here</source>
+        <translation>{name} ist kein Bild, oder eines von unbekannter Art</translation>
+    </message>
+    <message>
+        <source>save it as {kinds}</source>
+        <translation>speichern Sie es als {kinds}</translation>
+    </message>
+    <message>
+        <source>many more</source>
+        <translation>viele weitere</translation>
+    </message>
+    <message>
+        <source>{width} × {height}</source>
+        <translation>{width} × {height}</translation>
+    </message>
+    <message>
+        <source>{count} times {width} × {height}</source>
+        <translation>{count}-mal {width} × {height}</translation>
+    </message>
+    <message>
+        <source>{name} has too many pixels: {size}</source>
+        <translation>{name} hat zu viele Pixel: {size}</translation>
+    </message>
+    <message>
+        <source>scale it down to at most {most} pixels, {side} a side</source>
+        <translation>verkleinern Sie es auf höchstens {most} Pixel, {side} je Seite</translation>
+    </message>
+    <message>
+        <source>{name} is damaged: {error}</source>
+        <translation>{name} ist beschädigt: {error}</translation>
+    </message>
+    <message>
+        <source>writing {ending} needs PyAV</source>
+        <translation>um {ending} zu schreiben, wird PyAV gebraucht</translation>
+    </message>
+    <message>
+        <source>install it: pip install &quot;starskel[video]&quot;</source>
+        <translation>installieren Sie es: pip install &quot;starskel[video]&quot;</translation>
+    </message>
+    <message>
+        <source>opaque</source>
+        <translation>deckend</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>dunkel</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>hell</translation>
+    </message>
+    <message>
+        <source>nothing in the picture is {what} enough at a level of {level:g}</source>
+        <translation>nichts im Bild ist bei einer Schwelle von {level:g} {what} genug</translation>
+    </message>
+    <message>
+        <source>choose another level, or trace something else</source>
+        <translation>wählen Sie eine andere Schwelle, oder zeichnen Sie etwas anderes nach</translation>
+    </message>
+    <message>
+        <source>the outline has {count} vertices</source>
+        <translation>der Umriss hat {count} Ecken</translation>
+    </message>
+    <message>
+        <source>choose a larger tolerance: {most} are the most</source>
+        <translation>wählen Sie eine größere Toleranz: höchstens {most} sind möglich</translation>
+    </message>
+    <message>
+        <source>a level of {level:g}</source>
+        <translation>eine Schwelle von {level:g}</translation>
+    </message>
+    <message>
+        <source>give a number between 0 and 1</source>
+        <translation>geben Sie eine Zahl zwischen 0 und 1 an</translation>
+    </message>
+    <message>
+        <source>a tolerance of {tolerance:g} pixels</source>
+        <translation>eine Toleranz von {tolerance:g} Pixeln</translation>
+    </message>
+    <message>
+        <source>give 0 or more</source>
+        <translation>geben Sie 0 oder mehr an</translation>
     </message>
 </context>
 <context>
@@ -1471,6 +1583,14 @@
         <translation>Beide Haltungen zerfallen in dieselben Stern-Stücke, die ein Skelett verbindet; die Stücke tragen den Gecko von einer Haltung zur anderen.</translation>
     </message>
     <message>
+        <source>Figure 10: dog and cat</source>
+        <translation>Abbildung 10: Hund und Katze</translation>
+    </message>
+    <message>
+        <source>Figure 10: a picture in each shape, carried along by the star pieces. One fades into the other while both turn and stretch with their outlines. The pictures are of Fluent Emoji (Microsoft, MIT licence).</source>
+        <translation>Abbildung 10: ein Bild in jeder Form, von den Sternstücken mitgenommen. Eines geht in das andere über, während sich beide mit ihren Umrissen drehen und dehnen. Die Bilder sind aus Fluent Emoji (Microsoft, MIT-Lizenz).</translation>
+    </message>
+    <message>
         <source>Figure 11: a snake coils</source>
         <translation>Abbildung 11: eine Schlange rollt sich ein</translation>
     </message>
@@ -1568,6 +1688,14 @@
     <message>
         <source>Export keyframes</source>
         <translation>Schlüsselbilder exportieren</translation>
+    </message>
+    <message>
+        <source>The whole sequence</source>
+        <translation>Die ganze Folge</translation>
+    </message>
+    <message>
+        <source>From the first key shape to the last, once all steps are blended</source>
+        <translation>Von der ersten Schlüsselform bis zur letzten, sobald alle Schritte überblendet sind</translation>
     </message>
     <message>
         <source>Apart as played, with easing</source>

@@ -1,21 +1,22 @@
 """What was measured of a blend, in words."""
 
 from collections.abc import Sequence
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
-from starskel.quality import Report, ShapeReport
+if TYPE_CHECKING:  # words do not need what measures
+    from starskel.quality import Report, ShapeReport
 
 Kind = Literal["simple", "natural", "harmful"]
 
 
-def kind_of(report: Report) -> Kind:
+def kind_of(report: "Report") -> Kind:
     """Say in a word how good a blend is."""
     if report.simple:
         return "simple"
     return "natural" if report.natural else "harmful"
 
 
-def verdict(report: Report) -> str:
+def verdict(report: "Report") -> str:
     """Say whether the blend is simple, or when it crosses itself."""
     if report.simple:
         known = f"proven, {report.how}" if report.how else "simple, proven"
@@ -31,14 +32,14 @@ def counted(count: int, name: str) -> str:
     return f"{count} {name}{'' if count == 1 else 's'}"
 
 
-def crossing_words(report: Report) -> str:
+def crossing_words(report: "Report") -> str:
     """Say when the blend crosses itself."""
     if report.crossing_frames:
         return spans(report.times.tolist(), report.crossing_frames)
     return ", ".join(f"{t:.4g}" for t in report.crossing_times)
 
 
-def crossing_counts(report: Report) -> str:
+def crossing_counts(report: "Report") -> str:
     """Say in how many frames the blend crosses itself, naturally and otherwise, or that it never does."""
     if report.simple or not report.crossing_frames:
         return verdict(report)
@@ -46,7 +47,7 @@ def crossing_counts(report: Report) -> str:
     return " ".join(f"{len(frames)} {kind}" for kind, frames in kinds if frames)
 
 
-def figures(report: Report) -> tuple[str, ...]:
+def figures(report: "Report") -> tuple[str, ...]:
     """Say how far the blend drifts, and where some edge has a negative length, a line each."""
     lines = [
         f"area drift {percent(report.area_deviation)}",
@@ -60,7 +61,7 @@ def figures(report: Report) -> tuple[str, ...]:
     return tuple(lines)
 
 
-def shape_verdict(report: ShapeReport) -> str:
+def shape_verdict(report: "ShapeReport") -> str:
     """Say whether all rings of a blend of shapes are simple and holes inside, or when they are not."""
     if report.simple:
         return "simple"
@@ -68,7 +69,7 @@ def shape_verdict(report: ShapeReport) -> str:
     return f"{'crosses' if report.crosses.any() else 'holes stray'} at t = {times}"
 
 
-def shape_figures(report: ShapeReport) -> tuple[str, ...]:
+def shape_figures(report: "ShapeReport") -> tuple[str, ...]:
     """Say how far the area drifts, and by how much parts come to overlap, a line each."""
     lines = [f"area drift {percent(report.area_deviation)}"]
     if report.overlap > 0.0005:

@@ -5,28 +5,29 @@ import numpy as np
 import pytest
 
 from app.compute import Result
-from app.export import ENDINGS, Choice, Layout, write_choice
+from app.export import ENDINGS, Choice, Layout, Stretch, write_choice
 from app.model.easing import Easing
 from starskel import InvalidFile, blend, match, measure
 from starskel.files.examples import example
+from starskel.files.step import Step
 
 
 @pytest.fixture(scope="module")
-def results() -> list[Result]:
+def results() -> tuple[Result, ...]:
     project = example("star").pair(0)
     pair = match(project.source, project.target, project.marks)
     blends = {method: blend(pair, method=method) for method in ("vertex", "edge-angle")}
-    return [Result(method, made, measure(made), np.zeros((2, 2))) for method, made in blends.items()]
+    return tuple(Result(method, made, measure(made), np.zeros((2, 2))) for method, made in blends.items())
 
 
 @pytest.mark.parametrize(
     ("layout", "ending"), [(layout, ending) for layout, endings in ENDINGS.items() for ending in endings]
 )
 def test_every_layout_is_written_in_each_of_its_formats(
-    layout: Layout, ending: str, results: list[Result], tmp_path: Path
+    layout: Layout, ending: str, results: tuple[Result, ...], tmp_path: Path
 ) -> None:
     path = tmp_path / f"out{ending}"
-    write_choice(path, "Star", Choice(layout, "vertex", frames=5), results)
+    write_choice(path, "Star", Choice(layout, "vertex", frames=5), [Stretch(results)])
     text = path.read_bytes().decode("latin-1")
     starts = {".svg": "<?xml", ".eps": "%!PS-Adobe-3.0 EPSF", ".ps": "%!PS-Adobe", ".pdf": "%PDF"}
     assert text.startswith(starts[ending])
@@ -34,35 +35,54 @@ def test_every_layout_is_written_in_each_of_its_formats(
         assert text.count("%%Page:") == (5 if layout == "pages" else 1)
 
 
-def test_a_row_holds_so_many_keyframes_and_a_frame_but_one(results: list[Result], tmp_path: Path) -> None:
-    write_choice(tmp_path / "row.svg", "Star", Choice("row", "vertex", frames=7), results)
-    write_choice(tmp_path / "one.svg", "Star", Choice("frame", "vertex", t=0.25), results)
+def test_a_row_holds_so_many_keyframes_and_a_frame_but_one(
+    results: tuple[Result, ...], tmp_path: Path
+) -> None:
+    write_choice(tmp_path / "row.svg", "Star", Choice("row", "vertex", frames=7), [Stretch(results)])
+    write_choice(tmp_path / "one.svg", "Star", Choice("frame", "vertex", t=0.25), [Stretch(results)])
     assert (tmp_path / "row.svg").read_text().count('id="frame-') == 7
     assert (tmp_path / "one.svg").read_text().count('id="frame-') == 1
     assert "t = 0.25" in (tmp_path / "one.svg").read_text()
 
 
-def test_the_sheet_has_a_row_for_each_method(results: list[Result], tmp_path: Path) -> None:
-    write_choice(tmp_path / "sheet.svg", "Star", Choice("sheet", "vertex"), results)
+def test_the_sheet_has_a_row_for_each_method(results: tuple[Result, ...], tmp_path: Path) -> None:
+    write_choice(tmp_path / "sheet.svg", "Star", Choice("sheet", "vertex"), [Stretch(results)])
     text = (tmp_path / "sheet.svg").read_text()
     assert ">vertex<" in text
     assert ">edge-angle<" in text
 
 
 def test_an_ending_that_does_not_fit_is_refused_before_anything_is_written(
-    results: list[Result], tmp_path: Path
+    results: tuple[Result, ...], tmp_path: Path
 ) -> None:
     with pytest.raises(InvalidFile, match="end it in"):
-        write_choice(tmp_path / "out.png", "Star", Choice("row", "vertex"), results)
+        write_choice(tmp_path / "out.png", "Star", Choice("row", "vertex"), [Stretch(results)])
     assert list(tmp_path.iterdir()) == []
 
 
-def test_keyframes_are_apart_as_they_are_played(results: list[Result], tmp_path: Path) -> None:
+def test_keyframes_are_apart_as_they_are_played(results: tuple[Result, ...], tmp_path: Path) -> None:
     easing = Easing((0.4, 0.0), (0.6, 1.0))
-    write_choice(tmp_path / "row.svg", "Star", Choice("row", "vertex", frames=5, easing=easing), results)
+    step = Step(easing=easing)
+    write_choice(
+        tmp_path / "row.svg", "Star", Choice("row", "vertex", frames=5, eased=True), [Stretch(results, step)]
+    )
     texts = re.findall("t = ([0-9.]+)", (tmp_path / "row.svg").read_text())
     assert texts == [f"{easing.t(time):.3g}" for time in (0, 0.25, 0.5, 0.75, 1)]
     assert float(texts[1]) < 0.2
-    one = Choice("frame", "vertex", t=0.3, easing=easing)
-    write_choice(tmp_path / "one.svg", "Star", one, results)
+    one = Choice("frame", "vertex", t=0.3, eased=True)
+    write_choice(tmp_path / "one.svg", "Star", one, [Stretch(results, step)])
     assert "t = 0.3<" in (tmp_path / "one.svg").read_text()
+
+
+def test_the_whole_sequence_takes_all_steps_as_long_as_each_lasts(
+    results: tuple[Result, ...], tmp_path: Path
+) -> None:
+    there = Stretch(results, Step(duration=3.0), "A-B")
+    again = Stretch(results, Step(), "B-C")
+    choice = Choice("row", "vertex", frames=5, eased=True, whole=True)
+    write_choice(tmp_path / "row.svg", "Star", choice, [there, again])
+    texts = re.findall("t = ([0-9.]+)", (tmp_path / "row.svg").read_text())
+    assert texts == ["0", "0.333", "0.667", "0", "1"]
+    write_choice(tmp_path / "sheet.svg", "Star", Choice("sheet", "vertex", whole=True), [there, again])
+    sheet = (tmp_path / "sheet.svg").read_text()
+    assert [sheet.count(f">{name}<") for name in ("vertex, A-B", "vertex, B-C")] == [1, 1]

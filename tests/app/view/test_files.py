@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.view import files
+from app.view import exporting, files
 from app.view.dialogs import PairDialog, SaveDialog
 from app.view.export_dialog import ExportDialog
 from app.view.main_window import MainWindow
@@ -275,7 +275,8 @@ def test_where_nothing_can_be_written_export_and_save_say_so(
     (tmp_path / "file").write_text("no folder")
     driver.draw_both()
     driver.wait_for_blends()
-    monkeypatch.setattr(files, "path_to_save", lambda *_: (tmp_path / path).with_suffix(".svg"))
+    for module in (files, exporting):
+        monkeypatch.setattr(module, "path_to_save", lambda *_: (tmp_path / path).with_suffix(".svg"))
     (tmp_path / "folder.svg").mkdir()
     said: list[str] = []
 
