@@ -9,7 +9,7 @@ clear. Other curves are halved (de Casteljau), a few times. All that carries rig
 they leave open is decided in rational arithmetic, from the roots. So the answers are right, and final.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 import numpy as np
@@ -24,6 +24,9 @@ HALVINGS = 8
 
 _MOST_CURVES = 1 << 18
 """So many pairs are looked at together, and so many halves: pairs that touch all the time would double on."""
+
+_FEW = 400
+"""Boxes of rings with no more vertices are compared each with each: that is quicker than to plant a tree."""
 
 _ROUNDING = (8 + 2 * HALVINGS) * UNIT
 """Bounds the rounding of a coefficient, over the product of the largest distances: up to four differences,
@@ -76,14 +79,31 @@ def near_pairs(first: Complex, second: Complex, reach: float) -> Iterator[tuple[
     slack = reach * (1 + 8 * UNIT) + 4 * UNIT * float(max(np.abs(first).max(), np.abs(second).max()))
     edges = [np.minimum(low, np.roll(low, -1)) for low in lows]
     edges += [np.maximum(high, np.roll(high, -1)) for high in highs]
-    tree = shapely.STRtree(shapely.box(*edges))
-    wide = shapely.box(lows[0] - slack, lows[1] - slack, highs[0] + slack, highs[1] + slack)
-    step = max(1, _MOST_CURVES // n)
-    for k in range(0, n, step):
-        vertex, edge = tree.query(wide[k : k + step])
-        vertex += k
+    wide = lows[0] - slack, lows[1] - slack, highs[0] + slack, highs[1] + slack
+    overlaps = _compared(wide, edges) if n <= _FEW else _looked_up(wide, edges)
+    for vertex, edge in overlaps:
         foreign = (vertex != edge) & (vertex != (edge + 1) % n)
         yield vertex[foreign], edge[foreign]
+
+
+def _compared(boxes: Sequence[Floats], others: Sequence[Floats]) -> Iterator[tuple[Indices, Indices]]:
+    """Give the boxes (left, bottom, right, top) that overlap with others, each compared with each."""
+    left, bottom, right, top = (side[:, None] for side in boxes)
+    overlap = (left <= others[2]) & (others[0] <= right)
+    overlap &= bottom <= others[3]
+    overlap &= others[1] <= top
+    first, second = overlap.nonzero()
+    yield first, second
+
+
+def _looked_up(boxes: Sequence[Floats], others: Sequence[Floats]) -> Iterator[tuple[Indices, Indices]]:
+    """Give the boxes (left, bottom, right, top) that overlap with others, from a tree of these."""
+    tree = shapely.STRtree(shapely.box(*others))
+    wide = shapely.box(*boxes)
+    step = max(1, _MOST_CURVES // len(wide))
+    for k in range(0, len(wide), step):
+        first, second = tree.query(wide[k : k + step])
+        yield first + k, second
 
 
 def seen_ends(ring: Complex, vertex: Indices, edge: Indices) -> tuple[Complex, Complex]:

@@ -6,9 +6,9 @@ reach is less than the pair's distance in each frame that must be met exactly: t
 """
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
-from scipy import sparse
 
 from starskel.blending.certified.room import Room, contacts
 from starskel.certificate import near_pairs
@@ -90,19 +90,46 @@ class Barrier:
             return np.inf
         return float((np.log(beyond) ** 2).sum() / 2)
 
-    def linear(self, frame: Complex, unknowns: int) -> tuple[Floats, sparse.csr_array]:
-        """Give the logarithms of pairs within reach, and their derivatives by x0, y0, x1, y1, ..."""
+    def linear(self, frame: Complex) -> "Linear":
+        """Linearize the logarithms of pairs within reach."""
         n = len(frame)
         found = contacts(frame, self.vertex, self.edge)
         near = np.flatnonzero(found.distance < self.reach)
-        distance, direction, share = (part[near] for part in found)
+        distance, direction, share = found.distance[near], found.direction[near], found.share[near]
         vertex, edge, room = self.vertex[near], self.edge[near], self.room[near]
         beyond = np.maximum(distance - room, LEAST * distance)
         columns = np.stack([vertex, edge, (edge + 1) % n], axis=1)
-        slopes = direction[:, None] / beyond[:, None]
-        slopes = slopes * np.stack([np.ones(len(near)), share - 1, -share], axis=1)
-        rows = np.repeat(np.arange(len(near)), 6)
-        places = (2 * columns[:, :, None] + [0, 1]).ravel()
-        values = np.stack([slopes.real, slopes.imag], axis=2).ravel()
-        jacobian = sparse.csr_array((values, (rows, places)), shape=(len(near), unknowns))
-        return np.log(beyond / (self.reach[near] - room)), jacobian
+        parts = np.stack([np.ones(len(near)), share - 1, -share], axis=1)
+        return Linear(np.log(beyond / (self.reach[near] - room)), columns, parts, direction / beyond)
+
+
+class Linear(NamedTuple):
+    """The logarithms of k pairs, and how they change.
+
+    Attributes
+    ----------
+    logarithms : (k,) array
+    vertices : (k, 3) array
+        The vertices that move a pair: its own, and both ends of its edge.
+    parts : (k, 3) array
+        How much each of them moves the place where the pair is nearest.
+    slopes : (k,) complex array
+        The gradient by that place.
+    """
+
+    logarithms: Floats
+    vertices: Indices
+    parts: Floats
+    slopes: Complex
+
+    def changes(self, moves: Complex) -> Floats:
+        """Give how the logarithms change when the n vertices move."""
+        return np.asarray((self.slopes.conj() * (self.parts * moves[self.vertices]).sum(axis=1)).real)
+
+    def products(self, compliance: Floats) -> tuple[Floats, Floats]:
+        """Give gradients times a symmetric matrix: without their directions, (k, n); by each, (k, k)."""
+        columns = list(zip(self.parts.T, self.vertices.T, strict=True))
+        yields = sum(parts[:, None] * compliance[vertices] for parts, vertices in columns)
+        both = sum(parts[:, None] * yields.T[vertices] for parts, vertices in columns)
+        aligned = np.outer(self.slopes.real, self.slopes.real) + np.outer(self.slopes.imag, self.slopes.imag)
+        return np.asarray(yields), np.asarray(both * aligned)

@@ -41,12 +41,15 @@ Chain = list[Key]
 """Keys in the order of time, linked by even motions."""
 
 
-def chains_between(start: Key, end: Key, guide: Guide, linked: Linked, task: Task) -> list[Chain]:
+def chains_between(
+    ends: tuple[Key, Key], guide: Guide, linked: Linked, task: Task, links: tuple[int, ...] = LINKS
+) -> list[Chain]:
     """Give a guide's frames as chains of good links; there are gaps between one chain and the next.
 
-    The first chain begins with the start and the last ends with the end, to the bit.
+    The first chain begins with the first end and the last ends with the other, to the bit.
     """
-    times, wanted = _even(start, end, guide, task.part(0, 0.5))
+    start, end = ends
+    times, wanted = _even(ends, guide, links, task.part(0, 0.5))
     frames = [start.frame, *wanted[1:-1], end.frame]
     keys = [Key(float(t), frame) for t, frame in zip(times, frames, strict=True)]
     good = []
@@ -71,15 +74,16 @@ def filled(chains: list[Chain], guide: Guide, linked: Linked, task: Task) -> lis
     done, share = [chains[0]], 1 / len(chains)
     for at, chain in enumerate(chains[1:]):
         part = task.part(at * share, (at + 1) * share)
-        _append(done, chains_between(done[-1][-1], chain[0], guide, linked, part))
+        _append(done, chains_between((done[-1][-1], chain[0]), guide, linked, part))
         done[-1] = [*done[-1], *chain[1:]]
     return done
 
 
-def _even(start: Key, end: Key, guide: Guide, task: Task) -> tuple[Floats, Floats]:
+def _even(ends: tuple[Key, Key], guide: Guide, numbers: tuple[int, ...], task: Task) -> tuple[Floats, Floats]:
     """Give times so dense that a guide's frames move evenly between them, all but; and these frames."""
-    span, size = end.t - start.t, 2 * farthest(start.frame - start.frame.mean(axis=0))
-    for links in LINKS:
+    start, end = ends
+    span, size = end.t - start.t, extent(start.frame)
+    for links in numbers:
         times = np.linspace(start.t, end.t, 2 * max(1, int(np.ceil(span * links))) + 1)
         frames = frames_at(times, guide, len(start.frame), task)
         off = farthest((frames[:-1:2] + frames[2::2]) / 2 - frames[1::2])
@@ -100,6 +104,11 @@ def frames_at(times: Floats, guide: Guide, n: int, task: Task) -> Floats:
 def farthest(vectors: Floats) -> float:
     """Give the length of the longest of (..., 2) vectors."""
     return float(np.hypot(vectors[..., 0], vectors[..., 1]).max())
+
+
+def extent(*rings: Floats) -> float:
+    """Give twice the largest distance of a vertex from the mean of its ring, of several rings."""
+    return 2 * max(farthest(ring - ring.mean(axis=0)) for ring in rings)
 
 
 def _append(chains: list[Chain], found: list[Chain]) -> None:

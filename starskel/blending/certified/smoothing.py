@@ -7,9 +7,10 @@ nothing is lost of the wanted motion.
 import numpy as np
 
 from starskel.blending.certified.keys import Chain, Guide, Key, Linked, farthest
+from starskel.predicates import Floats
 from starskel.task import Task
 
-SWEEPS = 6
+SWEEPS = 4
 """How often all keys are smoothed."""
 
 DEVIATION = 2e-3
@@ -40,6 +41,17 @@ def _worst(keys: Chain) -> tuple[int, float]:
     deviations = [farthest(key.frame - frame) for key, frame in zip(keys[1:-1], even, strict=True)]
     worst = int(np.argmax(deviations))
     return worst + 1, deviations[worst]
+
+
+def retimed(frames: list[Floats], moments: Floats) -> Chain:
+    """Time keys half by their moments and half by the way; drop those that stand still."""
+    steps = np.sqrt((np.diff(np.stack(frames), axis=0) ** 2).mean(axis=(1, 2)))
+    ways = np.concatenate([[0.0], np.cumsum(steps)])
+    start, end = moments[0], moments[-1]
+    times = (moments + start + (end - start) * ways / ways[-1]) / 2
+    times[-1] = end
+    moving = np.concatenate([[True], np.diff(times) > 0])
+    return [Key(float(times[k]), frames[k]) for k in np.flatnonzero(moving)]
 
 
 def smoothed(keys: Chain, guide: Guide, linked: Linked, task: Task) -> Chain:

@@ -13,7 +13,7 @@ import numpy as np
 from starskel.blending.certified.passage import Passage, passages
 from starskel.blending.fans import Fans, fans_of
 from starskel.correspondence import Correspondence
-from starskel.decomposition import decompose
+from starskel.decomposition import decompose_quickly
 from starskel.decomposition.pieces import Decomposition
 from starskel.errors import InvalidPolygon
 from starskel.polar import as_complex, as_points
@@ -153,7 +153,7 @@ def _fans(both: list[Complex], part: Indices, task: Task) -> Fans:
     source, target = rings
     own = np.arange(len(part))
     pair = Correspondence(source, target, (), own, own)
-    return fans_of(decompose(pair, should_stop=task.should_stop), task)
+    return fans_of(decompose_quickly(pair, task.quiet), task)
 
 
 def _put(fans: Fans, places: tuple[Place, Place]) -> Fans:

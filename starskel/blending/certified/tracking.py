@@ -5,12 +5,11 @@ and pushed apart where it comes near to itself: a few Gauss-Newton steps for eac
 taken is a safe link.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
-from scipy import sparse
-from scipy.sparse.linalg import splu
 
 from starskel.blending.certified.barrier import Barrier
 from starskel.blending.certified.keys import Linked, farthest
@@ -20,6 +19,9 @@ from starskel.certificate import safe
 from starskel.polar import as_complex, as_points
 from starskel.predicates import Complex, Floats, Indices
 from starskel.task import Task
+
+Accepted = Callable[[Floats], bool]
+"""Tells whether a frame is good to go to."""
 
 PUSH = 1e-3
 """The weight of the energy that keeps pairs apart beside the strain."""
@@ -33,6 +35,8 @@ HALVINGS = 5
 SETTLED = 1e-4
 """A step shorter than this part of the size, at every vertex, ends a moment."""
 
+CAREFUL = 0.5
+"""The part of a step that is taken where both sides of a frame are linked: its neighbours have to follow."""
 
 LAID_OUT = 100
 """What a step costs besides its vertices, in vertices."""
@@ -124,6 +128,17 @@ class Pull:
             arrivals.append(len(frames) - 1)
         return Track(frames, np.array(arrivals))
 
+    def between(self, before: Floats, now: Floats, after: Floats, goal: Floats) -> Floats:
+        """Give a frame nearer to a goal, still well linked to those before and after, if there is one."""
+        barrier = Barrier.near(as_complex(now), self.met, self.metric.size, self.room)
+        step = CAREFUL * self._step(as_complex(now), as_complex(goal), barrier)
+
+        def accepted(there: Floats) -> bool:
+            return self.linked(before, there) and self.linked(there, after)
+
+        taken = self._taken(now, goal, step, barrier, accepted)
+        return now if taken is None else taken
+
     def meeting(self, frames: tuple[Complex, ...]) -> "Pull":
         """Give the same where nothing pushes in these frames, either."""
         return replace(self, met=(*self.met, *frames))
@@ -138,7 +153,7 @@ class Pull:
             if not self.allowance.take(len(now)):
                 return
             step = self._step(as_complex(now), as_complex(goal), barrier)
-            after = self._taken(now, goal, step, barrier)
+            after = self._taken(now, goal, step, barrier, partial(self.linked, now))
             if after is None:
                 return
             moved = farthest(after - now)
@@ -148,24 +163,26 @@ class Pull:
                 return
 
     def _step(self, now: Complex, goal: Complex, barrier: Barrier) -> Complex:
-        """Give the Gauss-Newton step of the outline; the inner points of the mesh follow."""
-        n, unknowns = len(now), self.metric.matrix.shape[0]
-        logarithms, jacobian = barrier.linear(now, unknowns)
-        away = np.zeros(unknowns)
-        away[: 2 * n] = (now - goal).view(np.float64)
-        # inner points are where the strain is least for the outline, before and after, so they are solved for
-        matrix = self.metric.matrix + sparse.csc_array(PUSH * (jacobian.T @ jacobian))
-        pushing = PUSH * (jacobian.T @ (jacobian @ away - logarithms))
-        places = splu(matrix, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True}).solve(pushing)
-        return np.asarray((places - away)[: 2 * n]).view(np.complex128)
+        """Give the Gauss-Newton step.
 
-    def _taken(self, now: Floats, goal: Floats, step: Complex, barrier: Barrier) -> Floats | None:
-        """Give the frame after as much of a step as lessens the energy and is safe; None if hardly any is."""
+        Only pairs within reach need to be solved for (Woodbury's formula): without them the step is that to
+        the goal.
+        """
+        near, away = barrier.linear(now), now - goal
+        yields, matrix = near.products(self.metric.compliance)
+        matrix.flat[:: len(matrix) + 1] += 1 / PUSH
+        pushes = np.linalg.solve(matrix, near.changes(away) - near.logarithms)
+        return np.asarray((pushes * near.slopes) @ yields - away)
+
+    def _taken(
+        self, now: Floats, goal: Floats, step: Complex, barrier: Barrier, accepted: Accepted
+    ) -> Floats | None:
+        """Give the frame after as much of a step as lessens the energy and is good; None if hardly any is."""
         row = as_complex(now)
         energy = self._energy(row, goal, barrier)
         for _ in range(HALVINGS):
             there = row + step
-            if self._energy(there, goal, barrier) < energy and self.linked(now, as_points(there)):
+            if self._energy(there, goal, barrier) < energy and accepted(as_points(there)):
                 return as_points(there)
             step = step / 2
         return None

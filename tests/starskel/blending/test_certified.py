@@ -150,12 +150,17 @@ def spiral_band(ends_inside):
     return Polygon(as_points(np.concatenate([(radii + 0.06) * ways, ((radii - 0.06) * ways)[::-1]])))
 
 
-def test_ends_that_change_places_are_certified_by_a_convex_morph():
-    ends = [(0, 0), (29, 29)]
-    made = CertifiedBlend(decompose(match(spiral_band(1), spiral_band(-1), ends)))
+def test_ends_that_change_places_are_certified_by_a_convex_morph_over_the_gap_alone():
+    known = decompose(match(spiral_band(1), spiral_band(-1), [(0, 0), (29, 29)]))
+    made, stitched = CertifiedBlend(known), StitchedBlend(known)
+    size = size_of(made.pair)
     assert made.how is Way.CONVEX
     assert first_unsafe(made.keys) is None
     assert not cross_themselves(made.frames(np.linspace(0, 1, 2001))).any()
+    assert made.clearance > 0.9e-3 * size
+    before_and_after = np.concatenate([np.linspace(0, 0.3, 7), np.linspace(0.7, 1, 7)])
+    away = made.frames(before_and_after) - stitched.frames(before_and_after)
+    assert np.abs(away).max() < 1e-3 * size
 
 
 RESORTS = ("letter-K-X", "letter-C-S", "wrench-hammer", "arms-swing", *RANDOM)
@@ -172,14 +177,14 @@ def test_the_last_resort_leads_from_source_to_target_without_crossing(name):
     ends = morph.frames(np.array([0.0, 1.0]))
     np.testing.assert_allclose(ends, [pair.source, pair.target], atol=1e-9 * size_of(pair))
     start, end = Key(0.0, pair.source), Key(1.0, pair.target)
-    chains = chains_between(start, end, morph.frames, safe, UNWATCHED)
+    chains = chains_between((start, end), morph.frames, safe, UNWATCHED)
     assert len(chains) == 1
     assert first_unsafe(np.stack([key.frame for key in chains[0]])) is None
 
 
 @pytest.mark.usefixtures("_straight")
 def test_the_last_resort_is_taken_where_nothing_else_helps(monkeypatch):
-    monkeypatch.setattr("starskel.blending.certified.path.Repair.narrowed", lambda _, chains, *__: chains)
+    monkeypatch.setattr("starskel.blending.certified.repair.Following.__call__", lambda *_: None)
     made = CertifiedBlend(hard(HARD[0]))
     assert made.how is Way.CONVEX
     assert first_unsafe(made.keys) is None
