@@ -49,11 +49,35 @@ def safe(before: Floats, after: Floats) -> bool:
     return not any(meet(before, after, vertex, edge) for vertex, edge in pairs)
 
 
-def meet(before: Floats, after: Floats, vertex: Indices, edge: Indices) -> bool:
-    """Tell whether of some pairs a vertex touches its edge while a ring moves evenly; exact, like `safe`."""
+def safe_rings(before: Floats, after: Floats, following: Indices, excused: NDArray[np.bool_]) -> bool:
+    """Tell whether rings touch neither themselves nor each other while their vertices move evenly.
+
+    Exact, like `safe`.
+
+    Parameters
+    ----------
+    before, after : (n, 2) arrays
+        The vertices of all rings at both ends.
+    following : (n,) array of int
+        For each vertex the one after it on its ring.
+    excused : (n, n) array of bool
+        For a vertex and an edge, named by its first end, whether they may touch.
+    """
+    for vertex, edge in near_pairs(as_complex(before), as_complex(after), 0.0, following):
+        due = ~excused[vertex, edge]
+        if meet(before, after, vertex[due], edge[due], following):
+            return False
+    return True
+
+
+def meet(
+    before: Floats, after: Floats, vertex: Indices, edge: Indices, following: Indices | None = None
+) -> bool:
+    """Tell whether of some pairs a vertex touches its edge while rings move evenly; exact, like `safe`."""
     first, second = as_complex(before), as_complex(after)
-    open_ = _undecided(*seen_ends(first, vertex, edge), *seen_ends(second, vertex, edge))
-    return any(_touches(before, after, int(vertex[k]), int(edge[k])) for k in open_)
+    onward = _onward(len(before)) if following is None else following
+    open_ = _undecided(*seen_ends(first, vertex, edge, onward), *seen_ends(second, vertex, edge, onward))
+    return any(_touches(before, after, int(vertex[k]), int(edge[k]), onward) for k in open_)
 
 
 def first_unsafe(keys: Floats) -> int | None:
@@ -61,7 +85,9 @@ def first_unsafe(keys: Floats) -> int | None:
     return next((k for k in range(len(keys) - 1) if not safe(keys[k], keys[k + 1])), None)
 
 
-def near_pairs(first: Complex, second: Complex, reach: float) -> Iterator[tuple[Indices, Indices]]:
+def near_pairs(
+    first: Complex, second: Complex, reach: float, following: Indices | None = None
+) -> Iterator[tuple[Indices, Indices]]:
     """Give the vertices and edges that may come within this reach of each other, not many at a time.
 
     An edge counts by its first end; edges that end in the vertex are left out.
@@ -72,17 +98,20 @@ def near_pairs(first: Complex, second: Complex, reach: float) -> Iterator[tuple[
         The ring at both ends of an even motion.
     reach : float
         Not negative; rounding is allowed for.
+    following : (n,) array of int, optional
+        For each vertex the one after it, where there are several rings.
     """
     n = len(first)
+    onward = _onward(n) if following is None else following
     lows = np.minimum(first.real, second.real), np.minimum(first.imag, second.imag)
     highs = np.maximum(first.real, second.real), np.maximum(first.imag, second.imag)
     slack = reach * (1 + 8 * UNIT) + 4 * UNIT * float(max(np.abs(first).max(), np.abs(second).max()))
-    edges = [np.minimum(low, np.roll(low, -1)) for low in lows]
-    edges += [np.maximum(high, np.roll(high, -1)) for high in highs]
+    edges = [np.minimum(low, low[onward]) for low in lows]
+    edges += [np.maximum(high, high[onward]) for high in highs]
     wide = lows[0] - slack, lows[1] - slack, highs[0] + slack, highs[1] + slack
     overlaps = _compared(wide, edges) if n <= _FEW else _looked_up(wide, edges)
     for vertex, edge in overlaps:
-        foreign = (vertex != edge) & (vertex != (edge + 1) % n)
+        foreign = (vertex != edge) & (vertex != onward[edge])
         yield vertex[foreign], edge[foreign]
 
 
@@ -106,10 +135,18 @@ def _looked_up(boxes: Sequence[Floats], others: Sequence[Floats]) -> Iterator[tu
         yield first + k, second
 
 
-def seen_ends(ring: Complex, vertex: Indices, edge: Indices) -> tuple[Complex, Complex]:
+def seen_ends(
+    ring: Complex, vertex: Indices, edge: Indices, following: Indices | None = None
+) -> tuple[Complex, Complex]:
     """Give both ends of edges as seen from vertices."""
     place = ring[vertex]
-    return ring[edge] - place, ring[(edge + 1) % len(ring)] - place
+    end = (edge + 1) % len(ring) if following is None else following[edge]
+    return ring[edge] - place, ring[end] - place
+
+
+def _onward(n: int) -> Indices:
+    """Give for each vertex of one ring the next."""
+    return np.roll(np.arange(n), -1)
 
 
 def _undecided(p0: Complex, q0: Complex, p1: Complex, q1: Complex) -> Indices:
@@ -145,9 +182,9 @@ def _halves(curves: Complex) -> Complex:
     return np.concatenate([np.stack([start, left, centre]), np.stack([centre, right, end])], axis=1)
 
 
-def _touches(before: Floats, after: Floats, vertex: int, edge: int) -> bool:
+def _touches(before: Floats, after: Floats, vertex: int, edge: int, following: Indices) -> bool:
     """Tell whether a vertex touches an edge at some moment in [0, 1], in rational arithmetic."""
-    corners = [edge, (edge + 1) % len(before)]
+    corners = [edge, following[edge]]
     (vx, vy), *ends = (_path(before[k], after[k]) for k in (vertex, *corners))
     (px, py), (qx, qy) = (((x[0] - vx[0], x[1] - vx[1]), (y[0] - vy[0], y[1] - vy[1])) for x, y in ends)
     cross = _sum(_product(px, qy), _product(py, qx), -1)

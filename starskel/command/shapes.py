@@ -17,11 +17,8 @@ from starskel.shapes.shape_blend import ShapeBlend
 def shape_tracks(
     arguments: Namespace, methods: Sequence[str], *, measured: bool
 ) -> tuple[str, tuple[Track, ...]]:
-    """Blend the shapes by every method that can; a sheet of all shows the first also part by part."""
+    """Blend the shapes by every method; a sheet of all shows the first also part by part."""
     pair = _chosen(arguments)
-    holed = any(outer >= 0 for outer in (*pair.source.outer, *pair.target.outer))
-    if holed and not arguments.method:
-        methods = [method for method in methods if method != "certified"]
     ways = [(method, method, not arguments.separate) for method in methods]
     if measured:
         ways.append(("parts separately", methods[0], False))

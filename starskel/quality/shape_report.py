@@ -8,6 +8,7 @@ import shapely
 from starskel.outline import Flags, cross_themselves, signed_areas
 from starskel.predicates import Floats
 from starskel.quality.drift import linear
+from starskel.shapes.certified import CertifiedShapeBlend
 from starskel.shapes.shape_blend import ShapeBlend
 from starskel.task import Task
 
@@ -32,6 +33,8 @@ class ShapeReport:
         The area over the linear blend of the two areas, less 1.
     overlaps : (k,) array
         How much of the parts' area lies on other parts, as a part of the mean of the areas at the ends.
+    proven : bool
+        Whether `simple` is known for every t: of certified blends, and where a crossing was found.
     """
 
     times: Floats
@@ -40,6 +43,7 @@ class ShapeReport:
     areas: Floats
     area_deviations: Floats
     overlaps: Floats
+    proven: bool
 
     @property
     def simple(self) -> bool:
@@ -83,7 +87,15 @@ def measure_shapes(blend: ShapeBlend, times: Floats, task: Task) -> ShapeReport:
         overlaps[k] = sum(part.area for part in parts) - shapely.union_all(parts).area
     whole = linear(areas[0], areas[-1], times)
     task.reach(1)
-    return ShapeReport(times, crosses, strays, areas, areas / whole - 1, overlaps / whole.mean())
+    return ShapeReport(
+        times=times,
+        crosses=crosses,
+        strays=strays,
+        areas=areas,
+        area_deviations=areas / whole - 1,
+        overlaps=overlaps / whole.mean(),
+        proven=isinstance(blend, CertifiedShapeBlend) or bool((crosses | strays).any()),
+    )
 
 
 def _parts(blend: ShapeBlend, rings: list[Floats], there: Flags, strays: Flags) -> list[shapely.Geometry]:

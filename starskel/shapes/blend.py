@@ -15,6 +15,7 @@ from starskel.errors import StarskelError, UnknownMethod
 from starskel.polar import as_complex
 from starskel.predicates import Complex
 from starskel.shapes.body import prepared
+from starskel.shapes.certified import CertifiedShapeBlend
 from starskel.shapes.correspondence import PartPair, ShapeCorrespondence
 from starskel.shapes.given import Marks, Places
 from starskel.shapes.likeness import rotation_of
@@ -119,7 +120,7 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     marks, pairing, places
         As for `match`.
     method : str
-        One of `METHODS`. "certified" takes no parts with holes.
+        One of `METHODS`. A "certified" blend of shapes is proven for all rings together.
     joined : bool
         False interpolates each part of a shape separately, for comparison (paper, figure 9).
     decomposition : Decomposition, optional
@@ -143,7 +144,7 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     InvalidPolygon, InvalidMarks
         As by `match`.
     StarskelError
-        Where the method cannot take the holes, or no bridges lead to them.
+        Where a region is too narrow for bridges to its holes; by "certified" where rings meet on the way.
     Cancelled
         If ``should_stop`` answered True.
     """
@@ -194,8 +195,10 @@ def _prepare(
     rotations = tree.rotations if tree is not None else np.zeros(len(parts))
     bodies = []
     for number, (part, rotation) in enumerate(zip(parts, rotations.tolist(), strict=True)):
-        share = task.part(number / len(parts), (number + 1) / len(parts))
+        share = task.part(0.9 * number / len(parts), 0.9 * (number + 1) / len(parts))
         bodies.append(prepared(part, method, rotation, settled, share))
+    if method == "certified":
+        return CertifiedShapeBlend(pair, tuple(bodies), tree, task.part(0.9, 1))
     return ShapeBlend(pair, method, tuple(bodies), tree)
 
 

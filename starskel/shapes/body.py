@@ -9,7 +9,6 @@ from starskel.blending.frames import Blend, row_masses
 from starskel.blending.star_skeleton import StarSkeletonBlend
 from starskel.blending.vertex import VertexBlend
 from starskel.correspondence import Correspondence
-from starskel.errors import StarskelError
 from starskel.polar import as_complex, as_points
 from starskel.predicates import Complex, Floats
 from starskel.shapes.correspondence import PartPair
@@ -69,7 +68,7 @@ def prepared(part: PartPair, method: str, rotation: float, settled: bool, task: 
     Raises
     ------
     StarskelError
-        Where the part has holes that the method cannot take.
+        Where a region is too narrow for bridges to its holes.
     Cancelled
         If the task is told to stop.
     """
@@ -87,7 +86,7 @@ def _turned_back(pair: Correspondence, rotation: float) -> Correspondence:
 
 def _blend(pair: Correspondence, method: str, settled: bool, task: Task) -> Blend:
     if method == "certified" and len(pair.starts) > 1:
-        raise StarskelError("a certified blend takes no holes", "choose another method, as stitched")
+        method = "stitched"  # the certificate is that of all rings together
     known = decompose_region(pair, task.part(0, 0.4)) if method in NEEDING_PIECES else None
     rest = task.part(0.4, 1)
     return blend(

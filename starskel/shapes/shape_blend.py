@@ -67,10 +67,8 @@ class ShapeBlend:
     def rings(self, ts: ArrayLike) -> list[Floats]:
         """Give each ring at all of k times, a (k, n, 2) array."""
         times = checked_times(ts)
-        own = [
-            body.part.rings(with_exact_ends(rows, times, errors))
-            for body, rows, errors in zip(self.bodies, self._rows(times), self._errors, strict=True)
-        ]
+        rows = self._exact_rows(times)
+        own = [body.part.rings(part) for body, part in zip(self.bodies, rows, strict=True)]
         return [own[body][ring] for body, ring in (self._places[link] for link in self.pair.pairing)]
 
     def shape_at(self, t: float) -> shapely.MultiPolygon:
@@ -84,6 +82,11 @@ class ShapeBlend:
                 if self.pair.outer[number] < 0 and whole[number]
             ]
         )
+
+    def _exact_rows(self, ts: Floats) -> list[Floats]:
+        """Give the rows of each body, at the ends exactly as they are given."""
+        rows = zip(self._rows(ts), self._errors, strict=True)
+        return [with_exact_ends(own, ts, errors) for own, errors in rows]
 
     def _rows(self, ts: Floats) -> list[Floats]:
         moved = [body.moved(ts) for body in self.bodies]
