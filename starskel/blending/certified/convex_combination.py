@@ -16,6 +16,7 @@ from starskel.blending.certified.surroundings import SQUARE, Surroundings
 from starskel.blending.mean_values import mean_values
 from starskel.polar import as_points
 from starskel.predicates import Complex, Floats
+from starskel.task import UNWATCHED, Task
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,9 +37,13 @@ class ConvexCombination:
     source: sparse.csr_array
     target: sparse.csr_array
 
-    def frames(self, ts: Floats) -> Floats:
-        """Give the (k, n, 2) rings, back from the square, at each of k times."""
-        return np.stack([as_points(self._back(self._inner(float(t))[: self.count], float(t))) for t in ts])
+    def frames(self, ts: Floats, task: Task = UNWATCHED) -> Floats:
+        """Give the (k, n, 2) rings, back from the square, at each of k times; that may be stopped."""
+        rings = []
+        for t in ts.tolist():
+            task.quiet.reach(0)
+            rings.append(as_points(self._back(self._inner(t)[: self.count], t)))
+        return np.stack(rings)
 
     def _inner(self, t: float) -> Complex:
         """Solve for the inner points."""

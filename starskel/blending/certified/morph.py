@@ -58,7 +58,7 @@ class Morphing:
             return None
 
         def guide(ts: Floats) -> Floats:
-            return morph.frames((ts - before.t) / (after.t - before.t))
+            return morph.frames((ts - before.t) / (after.t - before.t), task)
 
         pull = self.pull.meeting((as_complex(before.frame), as_complex(after.frame)))
         chains = chains_between((before, after), guide, safe, task.part(0.5, 0.7), LINKS)
