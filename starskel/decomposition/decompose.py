@@ -34,10 +34,12 @@ def decompose(
 ) -> Decomposition:
     """Cut both polygons of a pair into compatible star pieces (paper, section 2.4.1).
 
-    The paper has two algorithms. By "minimal", where no Steiner vertices are needed the pieces are as few as
-    can be, and of the decompositions with so few pieces it is the one with the shortest cuts. Elsewhere
-    Steiner vertices are placed, few of them. By "convex" a convex decomposition of one polygon is carried
-    over to the other and refined, with Steiner vertices where a cut has to go round a corner.
+    The paper has two algorithms. By "minimal", polygons that are star-shaped are one piece, also where their
+    kernels have no vertex in common. Else, where no Steiner vertices are needed, the pieces, each with a
+    common star vertex, are as few as can be, and of the decompositions with so few pieces it is the one with
+    the shortest cuts. Elsewhere Steiner vertices are placed, few of them. By "convex" a convex decomposition
+    of one polygon is carried over to the other and refined, with Steiner vertices where a cut has to go round
+    a corner.
 
     Parameters
     ----------
@@ -107,6 +109,8 @@ def _canonical(pair: Correspondence) -> tuple[bool, int]:
 
 
 def _minimal(tiling: Tiling, whole: Piece, steiner: bool, task: Task) -> Tiling:
+    if tiling.is_star(whole, task.quiet):  # the tables would take O(n^3) to end with no fewer
+        return tiling
     pieces = _fewest(tiling, whole, task.part(0, 0.5))
     if pieces is not None:
         return tiling.replace(whole, pieces)
@@ -140,9 +144,6 @@ def _polished(tiling: Tiling, n: int, task: Task) -> Tiling:
 
 
 def _fewest(tiling: Tiling, whole: Piece, task: Task) -> list[Piece] | None:
-    ring = np.array(whole)
-    if (star_vertices(tiling.source, ring) & star_vertices(tiling.target, ring)).any():
-        return [whole]
     task.quiet.reach(0)
     grounds = triangulated(tiling, whole, task.quiet)
     return minimal_pieces(links_of(*grounds, task.quiet), task)

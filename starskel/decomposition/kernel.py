@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from starskel.points import Points, points_of
-from starskel.predicates import ROUNDING, Floats, Indices, Relation
+from starskel.predicates import ROUNDING, Complex, Floats, Indices, Relation
 from starskel.task import UNWATCHED, Task
 
 Entry = TypeVar("Entry", bound=np.generic)
@@ -24,6 +24,30 @@ def star_vertices(points: Points, ring: Indices) -> Relation:
         sides = points.orientation(ring[edges][None], ends[edges][None], ring[stars, None])
         stars[stars] = (sides >= 0).all(axis=1)
     return stars
+
+
+def have_star_vertices(sides: Sequence[Points], rings: Sequence[Indices]) -> Relation:
+    """Tell for many simple rings whether a vertex of each lies in its kernels over all sides, exactly.
+
+    The vertices of all rings are held against the edges of theirs together, first those of one side, then
+    on the other those that are left.
+    """
+    if not len(rings):
+        return np.empty(0, dtype=bool)
+    counts = np.array([len(ring) for ring in rings])
+    vertices = np.concatenate(rings)
+    ends = _next(vertices, np.cumsum(counts) - counts, np.cumsum(counts) - 1)
+    owner = np.repeat(np.arange(len(rings)), counts)
+    star = np.arange(len(vertices))
+    for points in sides:
+        many = counts[owner[star]]
+        held = np.repeat(star, many)
+        begun = np.cumsum(many) - many
+        edge = np.arange(len(held)) + ((np.cumsum(counts) - counts)[owner[star]] - begun).repeat(many)
+        left = points.orientation(vertices[edge], ends[edge], vertices[held]) >= 0
+        star = star[np.logical_and.reduceat(left, begun)] if len(star) else star
+    found: Relation = np.bincount(owner[star], minlength=len(rings)) > 0
+    return found
 
 
 def star_point(points: Points, ring: Indices, task: Task = UNWATCHED) -> Floats | None:
@@ -76,69 +100,76 @@ def is_star_point(ring: Floats, place: Floats) -> bool:
 
 def _kernels(corners: Floats, counts: Indices, task: Task) -> tuple[Floats, Floats]:
     """Cut the boxes of rings to the left sides of all edges: centroids and areas of what is left."""
-    centroids, areas = np.zeros((len(counts), 2)), np.zeros(len(counts))
+    centroids, areas = np.zeros(len(counts), dtype=np.complex128), np.zeros(len(counts))
     alive = np.flatnonzero(counts > 2)
-    corners = corners[np.repeat(counts > 2, counts)]
-    first = np.zeros(len(counts), dtype=np.intp)
-    first[alive] = np.cumsum(counts[alive]) - counts[alive]
-    cells = _boxes(corners, first[alive])
+    at = corners[np.repeat(counts > 2, counts)].view(np.complex128)[:, 0]
+    counts = counts[alive]
+    first = np.cumsum(counts) - counts
+    cells, size = _boxes(at, first), np.full(len(alive), 4)
     step = 0
     while len(alive):
-        at, after = first[alive] + step, first[alive] + (step + 1) % counts[alive]
-        cells, left = _clip(cells, corners[at], corners[after])
-        alive = alive[left]
+        cells, size = _clip(cells, size, at[first + step], at[first + (step + 1) % counts])
         step += 1
         if step % _AT_ONCE == 0:
             task.reach(0)
-        done = counts[alive] == step
+        done = counts == step
         if done.any():
-            centroids[alive[done]], areas[alive[done]] = _centroids(cells[done])
-            cells, alive = cells[~done], alive[~done]
-    return centroids, areas
+            owner = np.repeat(done, size)
+            whole = done & (size > 0)
+            centroids[alive[whole]], areas[alive[whole]] = _centroids(cells[owner], size[whole])
+            cells, size = cells[~owner], np.where(done, 0, size)
+        left = size > 0
+        alive, first, counts, size = alive[left], first[left], counts[left], size[left]
+    return centroids[:, None].view(np.float64), areas
 
 
-def _boxes(corners: Floats, first: Indices) -> Floats:
-    """Give the (k, 4, 2) boxes of rings that follow each other, counter-clockwise."""
+def _boxes(corners: Complex, first: Indices) -> Complex:
+    """Give the corners of the boxes of rings that follow each other, counter-clockwise, box by box."""
     if not len(first):
-        return np.empty((0, 4, 2))
-    (left, low), (right, high) = np.minimum.reduceat(corners, first).T, np.maximum.reduceat(corners, first).T
-    return np.stack([left, low, right, low, right, high, left, high], axis=1).reshape(-1, 4, 2)
+        return np.empty(0, dtype=np.complex128)
+    left, right = np.minimum.reduceat(corners.real, first), np.maximum.reduceat(corners.real, first)
+    low, high = np.minimum.reduceat(corners.imag, first), np.maximum.reduceat(corners.imag, first)
+    return np.stack([left, low, right, low, right, high, left, high], axis=1).ravel().view(np.complex128)
 
 
-def _clip(cells: Floats, start: Floats, end: Floats) -> tuple[Floats, Relation]:
-    """Keep the parts of convex cells to the left of lines; tell from which cells anything is left."""
-    way = (end - start)[:, None]
-    off = cells - start[:, None]
-    side = way[..., 0] * off[..., 1] - way[..., 1] * off[..., 0]
-    if (side >= 0).all():
-        return cells, np.ones(len(cells), dtype=bool)
-    left = side.max(axis=1) > 0
-    if not left.any():
-        return cells[left], left
-    cells, side = cells[left], side[left]
-    following, beyond = np.roll(cells, -1, axis=1), np.roll(side, -1, axis=1)
+def _clip(cells: Complex, size: Indices, start: Complex, end: Complex) -> tuple[Complex, Indices]:
+    """Keep the parts of convex cells to the left of lines.
+
+    The cells, of so many corners each, follow each other; nothing stays of one that has nothing to the left.
+    """
+    off = cells - start.repeat(size)
+    side = ((end - start).conj().repeat(size) * off).imag
+    inside = side >= 0
+    if inside.all():
+        return cells, size
+    last = np.cumsum(size) - 1
+    first = last - size + 1
+    following, beyond = _next(cells, first, last), _next(side, first, last)
     crossing = side * beyond < 0
     share = np.divide(side, side - beyond, out=np.zeros_like(side), where=crossing)
-    corners = _interleaved(cells, cells + share[..., None] * (following - cells))
-    kept = _interleaved(side >= 0, crossing)
-    count = kept.sum(axis=1)
-    order = np.argsort(~kept, axis=1, kind="stable")
-    slots = np.minimum(np.arange(count.max()), count[:, None] - 1)
-    return np.take_along_axis(corners, np.take_along_axis(order, slots, axis=1)[..., None], axis=1), left
+    corners = np.stack([cells, cells + share * (following - cells)], axis=1).ravel()
+    inside &= (np.maximum.reduceat(side, first) > 0).repeat(size)
+    kept = np.stack([inside, crossing], axis=1)
+    return corners[kept.ravel()], np.add.reduceat(kept.sum(axis=1), first)
 
 
-def _interleaved(first: NDArray[Entry], second: NDArray[Entry]) -> NDArray[Entry]:
-    """Give the entries of two arrays in turn, along axis 1."""
-    k, m, *rest = first.shape
-    return np.stack([first, second], axis=2).reshape(k, 2 * m, *rest)
+def _next(entries: NDArray[Entry], first: Indices, last: Indices) -> NDArray[Entry]:
+    """Give for each entry the next one of its cell, for the last one the first."""
+    following = np.empty_like(entries)
+    following[:-1] = entries[1:]
+    following[last] = entries[first]
+    return following
 
 
-def _centroids(cells: Floats) -> tuple[Floats, Floats]:
-    """Give the centroids and the areas of convex cells."""
-    base = cells[:, :1]
-    a, b = cells[:, 1:-1] - base, cells[:, 2:] - base
-    doubled = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
-    areas = doubled.sum(axis=1) / 2
-    weighted = (doubled[..., None] * (a + b)).sum(axis=1)
-    offset = np.divide(weighted, 6 * areas[:, None], out=np.zeros_like(weighted), where=areas[:, None] > 0)
-    return base[:, 0] + offset, np.maximum(areas, 0.0)
+def _centroids(cells: Complex, size: Indices) -> tuple[Complex, Floats]:
+    """Give the centroids and the areas of convex cells of so many corners each."""
+    last = np.cumsum(size) - 1
+    first = last - size + 1
+    base = cells[first]
+    a = cells - base.repeat(size)
+    b = _next(a, first, last)
+    doubled = (a.conj() * b).imag
+    areas = np.add.reduceat(doubled, first) / 2
+    weighted = np.add.reduceat(doubled * (a + b), first)
+    offset = np.divide(weighted, 6 * areas, out=np.zeros_like(weighted), where=areas > 0)
+    return base + offset, np.maximum(areas, 0.0)

@@ -4,7 +4,7 @@ Both moves keep the edges cancelling in pairs, so the pieces go on tiling both p
 them is simple and counter-clockwise in both (see verify.py).
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
 from itertools import pairwise
 
 import numpy as np
@@ -15,6 +15,9 @@ from starskel.task import Task
 
 AT_ONCE = 1 << 12
 """Vertices of rings that are looked at between two questions whether to stop."""
+
+SIDES_AT_ONCE = 1 << 16
+"""Pairs of a vertex and an edge that are looked at between two such questions."""
 
 
 def reduce(tiling: Tiling, n: int, task: Task) -> Tiling:
@@ -41,15 +44,21 @@ class _Reduction:
         self._task = task
         self._stars: dict[Piece, bool] = {}
         self._common: dict[Piece, bool] = {}
+        self._unions: dict[tuple[Piece, Piece], Piece | None] = {}
+        self._shrunk: dict[tuple[int, tuple[Piece, ...]], list[list[Piece]]] = {}
 
     def merge(self) -> bool:
-        """Merge neighbours whose union is a star piece, across the longest edges first."""
+        """Merge neighbours whose union is a star piece, if only from a vertex, the longest edges first."""
         neighbours = _neighbouring(self._tiling, self.pieces)
-        unions = [union(first, second) for first, second in neighbours]
+        for pair in neighbours:
+            if pair not in self._unions:
+                self._unions[pair] = union(*pair)
+        unions = [self._unions[pair] for pair in neighbours]
         self._look_at(ring for ring in unions if ring is not None)
+        self._look_for_common_vertices(ring for ring in unions if ring is not None and not self._stars[ring])
         merged = False
         for pair, ring in zip(neighbours, unions, strict=True):
-            if ring is not None and self._is_star(ring):
+            if ring is not None and (self._stars[ring] or self._common[ring]):
                 merged |= self._replace(pair, [ring])
         return merged
 
@@ -63,7 +72,7 @@ class _Reduction:
         moves = [
             (pieces, shrunk)
             for vertex, pieces in sorted(around.items(), reverse=True)
-            for shrunk in _collapses(vertex, pieces)
+            for shrunk in self._collapses(vertex, pieces)
         ]
         self._look_at(ring for _, shrunk in moves for ring in shrunk)
         collapsed = False
@@ -72,12 +81,11 @@ class _Reduction:
                 collapsed |= self._replace(pieces, shrunk)
         return collapsed
 
-    def _is_star(self, ring: Piece) -> bool:
-        """Tell whether a union of pieces is star-shaped, if only from a common vertex."""
-        if not self._stars[ring] and ring not in self._common:
-            self._task.reach(0)
-            self._common[ring] = self._tiling.has_common_star_vertex(ring)
-        return self._stars[ring] or self._common[ring]
+    def _collapses(self, vertex: int, pieces: list[Piece]) -> list[list[Piece]]:
+        key = vertex, tuple(pieces)
+        if key not in self._shrunk:
+            self._shrunk[key] = _collapses(vertex, pieces)
+        return self._shrunk[key]
 
     def _replace(self, before: Iterable[Piece], after: Iterable[Piece]) -> bool:
         """Put pieces in the place of others, unless one of these is gone already."""
@@ -90,15 +98,25 @@ class _Reduction:
 
     def _look_at(self, rings: Iterable[Piece]) -> None:
         """Find out which rings are simple, counter-clockwise and star-shaped in both polygons."""
-        waiting = sorted(
-            {ring for ring in rings if ring not in self._stars}, key=lambda ring: (len(ring), ring)
-        )
+        for part in self._parts({ring for ring in rings if ring not in self._stars}, AT_ONCE, len):
+            stars = self._tiling.are_stars(part, self._task.quiet)
+            self._stars.update(zip(part, stars.tolist(), strict=True))
+
+    def _look_for_common_vertices(self, rings: Iterable[Piece]) -> None:
+        """Find out which unions of pieces are seen whole from a common vertex."""
+        unknown = {ring for ring in rings if ring not in self._common}
+        for part in self._parts(unknown, SIDES_AT_ONCE, lambda ring: len(ring) ** 2):
+            common = self._tiling.have_common_star_vertices(part)
+            self._common.update(zip(part, common.tolist(), strict=True))
+
+    def _parts(self, rings: set[Piece], most: int, work: Callable[[Piece], int]) -> Iterator[list[Piece]]:
+        """Cut rings, the short ones first, into handfuls of so much work or of one ring."""
+        waiting = sorted(rings, key=lambda ring: (len(ring), ring))
         while waiting:
             self._task.reach(0)
-            ends = np.cumsum([len(ring) for ring in waiting])
-            count = 1 + int(np.searchsorted(ends[1:], AT_ONCE))
-            stars = self._tiling.are_stars(waiting[:count], self._task.quiet)
-            self._stars.update(zip(waiting, stars.tolist(), strict=False))
+            ends = np.cumsum([work(ring) for ring in waiting])
+            count = 1 + int(np.searchsorted(ends[1:], most))
+            yield waiting[:count]
             waiting = waiting[count:]
 
 

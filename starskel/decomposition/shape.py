@@ -5,14 +5,15 @@ rounds every Steiner vertex tries places round its own, in the source or in the 
 that is best for the worst of its pieces there. A move is made only if exact predicates prove all its pieces.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from starskel.decomposition.kernel import star_points
 from starskel.decomposition.pieces import Piece, edges_of
 from starskel.decomposition.tiling import Tiling
-from starskel.outline import edge_lengths
 from starskel.points import Points
-from starskel.predicates import Floats
+from starskel.predicates import Floats, Indices
 from starskel.task import Task
 
 STRIDES = (0.4, 0.25, 0.15, 0.1, 0.06)
@@ -50,13 +51,12 @@ def _moved(tiling: Tiling, n: int, side: int, stride: float, task: Task) -> Tili
     neighbours = list(dict.fromkeys(piece for pieces in around.values() for piece in pieces))
     stars = tiling.are_stars(neighbours, task)
     touched = {piece for piece, star in zip(neighbours, stars, strict=True) if not star}
+    free = {vertex: pieces for vertex, pieces in sorted(around.items()) if touched.isdisjoint(pieces)}
     moves: dict[int, Floats] = {}
-    for vertex, pieces in sorted(around.items()):
-        task.reach(0)
-        place = _better(points, vertex, pieces, stride) if touched.isdisjoint(pieces) else None
-        if place is not None:
+    for vertex, place in _better(points, free, stride, task).items():
+        if touched.isdisjoint(free[vertex]):
             moves[vertex] = place
-            touched.update(pieces)
+            touched.update(free[vertex])
     return _renamed(tiling, moves, side) if moves else tiling
 
 
@@ -70,16 +70,51 @@ def _around(tiling: Tiling, n: int) -> dict[int, list[Piece]]:
     return around
 
 
-def _better(points: Points, vertex: int, pieces: list[Piece], stride: float) -> Floats | None:
-    """Give the best place for a vertex among those around its own, None if that is as good as any."""
-    tried = points.with_free(_places(points, vertex, pieces, stride))
-    rows = [vertex, *range(len(points.coordinates), len(tried.coordinates))]
-    rings = [np.array([row if v == vertex else v for v in piece]) for row in rows for piece in pieces]
-    _, areas = star_points(tried, rings)
-    perimeters = np.array([edge_lengths(tried.coordinates[ring]).sum() for ring in rings])
-    worth = (areas / perimeters**2).reshape(len(rows), -1).min(axis=1)
-    best = int(worth.argmax())
-    return tried.coordinates[rows[best]] if worth[best] > WORTH * worth[0] else None
+def _better(points: Points, free: dict[int, list[Piece]], stride: float, task: Task) -> dict[int, Floats]:
+    """Give for each vertex the best place among those around its own, unless that is as good as any.
+
+    All are asked for at once, as if every other vertex stayed: a few large array operations.
+    """
+    if not free:
+        return {}
+    tried = points.with_free(
+        np.concatenate([_places(points, vertex, pieces, stride) for vertex, pieces in free.items()])
+    )
+    rows = np.arange(len(free) * WAYS).reshape(-1, WAYS) + len(points.coordinates)
+    rows = np.concatenate([np.array(list(free))[:, None], rows], axis=1)
+    worth = _worth(tried, list(free.items()), rows, task)
+    best = worth.argmax(axis=1)
+    return {
+        vertex: tried.coordinates[rows[at, best[at]]]
+        for at, vertex in enumerate(free)
+        if worth[at, best[at]] > WORTH * worth[at, 0]
+    }
+
+
+def _worth(points: Points, free: list[tuple[int, list[Piece]]], rows: Indices, task: Task) -> Floats:
+    """Give for each vertex, with each of its rows in its place, the worst of its pieces' kernels."""
+    rings = []
+    for (vertex, pieces), names in zip(free, rows, strict=True):
+        for piece in map(np.array, pieces):
+            renamed = np.repeat(piece[None], len(names), axis=0)
+            renamed[:, piece == vertex] = names[:, None]
+            rings += list(renamed)
+    _, areas = star_points(points, rings, task)
+    perimeters = _perimeters(points.coordinates, rings)
+    first = np.cumsum([0, *(len(pieces) for _, pieces in free)])[:-1]
+    worth = (areas / perimeters**2).reshape(-1, rows.shape[1])
+    least: Floats = np.minimum.reduceat(worth, first, axis=0)
+    return least
+
+
+def _perimeters(coordinates: Floats, rings: Sequence[Indices]) -> Floats:
+    counts = np.array([len(ring) for ring in rings])
+    ends = np.cumsum(counts)
+    start = np.concatenate(rings)
+    end = np.append(start[1:], start[0])
+    end[ends - 1] = start[ends - counts]
+    perimeters: Floats = np.add.reduceat(np.hypot(*(coordinates[end] - coordinates[start]).T), ends - counts)
+    return perimeters
 
 
 def _places(points: Points, vertex: int, pieces: list[Piece], stride: float) -> Floats:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from starskel.decomposition.kernel import star_points, star_vertices
+from starskel.decomposition.kernel import have_star_vertices, star_points, star_vertices
 from starskel.decomposition.pieces import Piece
 from starskel.points import Points
 from starskel.predicates import Floats, Relation
@@ -63,6 +63,10 @@ class Tiling:
         ring = np.array(piece)
         stars = star_vertices(self.source, ring)
         return bool(stars.any() and (stars & star_vertices(self.target, ring)).any())
+
+    def have_common_star_vertices(self, pieces: Sequence[Piece]) -> Relation:
+        """Tell for which simple rings one of their vertices sees the whole, in both polygons."""
+        return have_star_vertices((self.source, self.target), [np.array(piece) for piece in pieces])
 
     def are_stars(self, pieces: Sequence[Piece], task: Task) -> Relation:
         """Tell which rings of vertices are simple, counter-clockwise and have kernels with an inside."""
