@@ -14,21 +14,23 @@ from starskel.export.write import write
 from starskel.files.step import Step
 from starskel.sheet.keyframe import Shown
 
-Layout = Literal["row", "frame", "pages", "sheet"]
+Layout = Literal["row", "frame", "pages", "sheet", "animation", "numbers"]
 
 OUTPUTS: dict[Layout, formats.Layout] = {
     "row": "row",
     "frame": "frames",
     "pages": "frames",
     "sheet": "sheet",
+    "animation": "animation",
+    "numbers": "numbers",
 }
 """What the library calls them."""
 
-ENDINGS: dict[Layout, tuple[str, ...]] = {
-    layout: formats.endings_of(output, numbered=False if layout == "pages" else None)
+FORMATS: dict[Layout, tuple[formats.Format, ...]] = {
+    layout: formats.formats_of(output, numbered=False if layout == "pages" else None)
     for layout, output in OUTPUTS.items()
 }
-"""The endings of the formats that each layout can be written in, the usual one first."""
+"""The formats that each layout can be written in, the usual one first."""
 
 
 @dataclass(frozen=True)
@@ -37,12 +39,13 @@ class Choice:
 
     Attributes
     ----------
-    layout : {"row", "frame", "pages", "sheet"}
-        A row of keyframes, one frame, a page for each keyframe, or a row for each method.
+    layout : {"row", "frame", "pages", "sheet", "animation", "numbers"}
+        A row of keyframes, one frame, a page for each keyframe, a row for each method, a picture that moves,
+        or the coordinates.
     method : str
         The method, for all layouts but the sheet.
     frames : int
-        How many keyframes, from t = 0 to 1.
+        How many keyframes, from t = 0 to 1, for all layouts but the frame and the animation.
     t : float
         The moment, for the layout of one frame.
     marks, pieces, skeleton : bool
@@ -51,6 +54,10 @@ class Choice:
         Whether keyframes are evenly apart in the time of playing, with easing; else in t.
     whole : bool
         Whether all steps of the sequence are wanted, for all layouts but the frame.
+    seconds : float
+        How long an animation takes one way.
+    returning : bool
+        Whether an animation comes back again.
     """
 
     layout: Layout
@@ -62,6 +69,8 @@ class Choice:
     skeleton: bool = False
     eased: bool = False
     whole: bool = False
+    seconds: float = 3.0
+    returning: bool = False
 
     @property
     def settings(self) -> Settings:
@@ -72,6 +81,8 @@ class Choice:
             times=(self.t,) if single else even_times(self.frames),
             eased=self.eased and not single,
             shown=Shown(self.marks, self.pieces, self.skeleton),
+            duration=self.seconds,
+            returning=self.returning,
         )
 
 

@@ -31,6 +31,9 @@ from app.view.drawing import painting
 MARGIN = 52.0
 """Pixels left free around a fitted shape: room for pins and caption."""
 
+TINY = 0.2
+"""A shape that comes from elsewhere and takes less of the view than this, either way, is shown larger."""
+
 LARGEST_MARGIN = 0.2
 """No more of a small canvas than this share is left free at each side."""
 
@@ -95,9 +98,10 @@ class Canvas(QWidget):
         self._aim()
 
     def reveal(self) -> None:
-        """Show the whole shape where a part of it is out of sight."""
+        """Show the whole shape where a part of it is out of sight, or where it would be too small to see."""
         screen = self.camera.to_screen(self._session.document.vertices(self.side))
-        if not ((screen >= 0) & (screen <= (self.width(), self.height()))).all():
+        inside = ((screen >= 0) & (screen <= (self.width(), self.height()))).all()
+        if not inside or (np.ptp(screen, axis=0) < np.array([self.width(), self.height()]) * TINY).all():
             self.fit()
 
     def zoom(self, factor: float) -> None:

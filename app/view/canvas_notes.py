@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 import numpy as np
+import shapely
 from PySide6.QtCore import QCoreApplication, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter
 
@@ -25,8 +26,8 @@ NOTICE_FLAGS = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignLeft | Qt.Alignm
 NOTICE = 340.0
 """Width of a notice, in pixels."""
 
-VEIL = 1000.0
-"""So many pixels farther away is as bad as hiding the whole shape."""
+VEIL = 3000.0
+"""So many pixels farther away is as bad as lying over the shape with all of the notice."""
 
 CLEARANCE = 24.0
 """Pixels between a notice and what it is about."""
@@ -112,7 +113,7 @@ def notice_box(
     concerned: Sequence[QPointF] = (),
     ring: Floats | None = None,
 ) -> QRectF:
-    """Give the box in the room that is near to what it is about, hides none of it and little of the ring.
+    """Give the box in the room that is near to what it is about, hides none of it and little of the shape.
 
     Where there is no such box, or nothing to be near to, it lies on the lower edge.
     """
@@ -122,19 +123,21 @@ def notice_box(
     free = [box for box in boxes if not any(_near(box).contains(place) for place in concerned)]
     if not free or not concerned:
         return QRectF(room.left(), room.bottom() - height, width, height)
-    return min(free, key=lambda box: _distance(box, concerned) + VEIL * _hidden(box, ring))
+    ways = [_distance(box, concerned) for box in free]
+    return free[int(np.argmin(ways + VEIL * _covered(free, ring)))]
 
 
 def _distance(box: QRectF, places: Sequence[QPointF]) -> float:
     return sum((box.center() - place).manhattanLength() for place in places)
 
 
-def _hidden(box: QRectF, ring: Floats | None) -> float:
-    """Give the part of a ring's vertices that a box hides."""
-    if ring is None or not len(ring):
-        return 0.0
-    low, high = (box.left(), box.top()), (box.right(), box.bottom())
-    return float(((ring >= low) & (ring <= high)).all(axis=1).mean())
+def _covered(boxes: Sequence[QRectF], ring: Floats | None) -> Floats:
+    """Give for boxes of one size the part of each that lies over the shape."""
+    if ring is None or len(ring) < 3:
+        return np.zeros(len(boxes))
+    shape = shapely.make_valid(shapely.polygons(ring))  # a gesture under way may cross itself
+    plates = shapely.box(*np.array([(b.left(), b.top(), b.right(), b.bottom()) for b in boxes]).T)
+    return np.asarray(shapely.area(shapely.intersection(plates, shape)) / shapely.area(plates))
 
 
 def _near(box: QRectF) -> QRectF:

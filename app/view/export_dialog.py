@@ -1,4 +1,4 @@
-"""What to export: a row of keyframes, one frame, pages, or a sheet of all methods."""
+"""What to export: keyframes, pages, a sheet of all methods, an animation, or coordinates."""
 
 from collections.abc import Sequence
 
@@ -16,7 +16,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.export import ENDINGS, Choice, Layout
+from app.export import FORMATS, Choice, Layout
+from app.playback import Repeat
 from app.view import words
 from app.view.display import Display
 from app.view.player import Player
@@ -26,6 +27,8 @@ _LAYOUTS: tuple[tuple[Layout, object], ...] = (
     ("frame", QT_TRANSLATE_NOOP("ExportDialog", "One frame")),
     ("pages", QT_TRANSLATE_NOOP("ExportDialog", "A page for each keyframe")),
     ("sheet", QT_TRANSLATE_NOOP("ExportDialog", "All methods side by side")),
+    ("animation", QT_TRANSLATE_NOOP("ExportDialog", "Animation")),
+    ("numbers", QT_TRANSLATE_NOOP("ExportDialog", "Coordinates of keyframes")),
 )
 
 
@@ -56,6 +59,12 @@ class ExportDialog(QDialog):
         self._t.setRange(0, 1)
         self._t.setSingleStep(0.01)
         self._t.setValue(player.t)
+        self._seconds = QDoubleSpinBox()
+        self._seconds.setRange(0.1, 600)
+        self._seconds.setSuffix(self.tr(" s"))
+        self._seconds.setValue(player.duration)
+        self._returning = QCheckBox(self.tr("Back and forth"))
+        self._returning.setChecked(player.repeat == Repeat.PING_PONG)
         self._can_be_whole = whole
         self._whole = QCheckBox(self.tr("The whole sequence"))
         self._whole.setToolTip(self.tr("From the first key shape to the last, once all steps are blended"))
@@ -87,6 +96,8 @@ class ExportDialog(QDialog):
             self._skeleton.isChecked(),
             self._eased.isChecked(),
             self._whole.isEnabled() and self._whole.isChecked(),
+            self._seconds.value(),
+            self._returning.isChecked(),
         )
 
     def _arrange(self) -> None:
@@ -98,6 +109,8 @@ class ExportDialog(QDialog):
             (self.tr("&Keyframes"), self._frames),
             ("", self._eased),
             (self.tr("&Time t"), self._t),
+            (self.tr("&Duration"), self._seconds),
+            ("", self._returning),
             (self.tr("Show"), self._marks),
             ("", self._pieces),
             ("", self._skeleton),
@@ -105,7 +118,14 @@ class ExportDialog(QDialog):
         ):
             form.addRow(label, field)
             field.setAccessibleName(label.replace("&", "") or field.accessibleName())
-        for box in (self._whole, self._eased, self._marks, self._pieces, self._skeleton):
+        for box in (
+            self._whole,
+            self._eased,
+            self._returning,
+            self._marks,
+            self._pieces,
+            self._skeleton,
+        ):
             box.setAccessibleName(box.text())
         kind = QDialogButtonBox.StandardButton
         buttons = QDialogButtonBox(kind.Save | kind.Cancel)
@@ -120,9 +140,13 @@ class ExportDialog(QDialog):
     def _follow(self) -> None:
         layout: Layout = self._layout_field.currentData()
         self._method.setEnabled(layout != "sheet")
-        self._frames.setEnabled(layout != "frame")
+        self._frames.setEnabled(layout not in ("frame", "animation"))
         self._whole.setEnabled(layout != "frame" and self._can_be_whole)
         whole = self._whole.isEnabled() and self._whole.isChecked()
         self._eased.setEnabled(layout != "frame" and (whole or not self._easing.even))
         self._t.setEnabled(layout == "frame")
-        self._formats.setText(", ".join(ending[1:].upper() for ending in ENDINGS[layout]))
+        self._seconds.setEnabled(layout == "animation")
+        self._returning.setEnabled(layout == "animation")
+        for box in (self._marks, self._pieces, self._skeleton):
+            box.setEnabled(layout != "numbers")
+        self._formats.setText(", ".join(each.name for each in FORMATS[layout]))

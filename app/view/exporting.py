@@ -5,7 +5,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QDialog, QWidget
 
-from app.export import ENDINGS, Stretch, write_choice
+from app.export import FORMATS, Stretch, write_choice
 from app.session import Session
 from app.view.dialogs import complain, path_to_save
 from app.view.display import Display
@@ -34,7 +34,7 @@ def export(window: QWidget, session: Session, player: Player, display: Display, 
     if dialog.exec() != QDialog.DialogCode.Accepted:
         return None
     choice, title = dialog.choice, translate("Files", "Export")
-    endings = ENDINGS[choice.layout]
+    endings = tuple(each.ending for each in FORMATS[choice.layout])
     path = path_to_save(window, title, file.with_name(f"{file.name}{endings[0]}"), endings)
     if path is None:
         return None

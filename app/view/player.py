@@ -76,6 +76,12 @@ class Player(QObject):
         return self._paces[self.step].easing
 
     @property
+    def duration(self) -> float:
+        """Seconds that one way through all steps that are played takes, at the speed chosen."""
+        lengths = sum(pace.length for pace in self._playback.paces)
+        return self._playback.duration * lengths / self._playback.speed
+
+    @property
     def speed(self) -> float:
         """How many times faster than usual."""
         return self._playback.speed

@@ -82,7 +82,9 @@ def _certificate(report: "Report") -> list[str]:
     ways = {
         "as stitched": translate("Verdict", "These are the frames of the stitched blend."),
         "repaired": translate("Verdict", "Where the stitched blend crosses itself, it is repaired."),
-        "convex morph": translate("Verdict", "No near repair was found: this is a convex morph."),
+        "convex morph": translate(
+            "Verdict", "No near repair was found: a part of the time is a convex morph."
+        ),
     }
     lines = [ways[report.how]] if report.how in ways else []
     if report.clearance is not None:

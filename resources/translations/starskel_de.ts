@@ -1686,8 +1686,24 @@
         <translation>Alle Methoden nebeneinander</translation>
     </message>
     <message>
+        <source>Animation</source>
+        <translation>Animation</translation>
+    </message>
+    <message>
+        <source>Coordinates of keyframes</source>
+        <translation>Koordinaten der Schlüsselbilder</translation>
+    </message>
+    <message>
         <source>Export keyframes</source>
         <translation>Schlüsselbilder exportieren</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Back and forth</source>
+        <translation>Hin und her</translation>
     </message>
     <message>
         <source>The whole sequence</source>
@@ -1728,6 +1744,10 @@
     <message>
         <source>&amp;Time t</source>
         <translation>&amp;Zeit t</translation>
+    </message>
+    <message>
+        <source>&amp;Duration</source>
+        <translation>&amp;Dauer</translation>
     </message>
     <message>
         <source>Show</source>
@@ -2702,8 +2722,8 @@
         <translation>Wo die vernähte Überblendung sich kreuzt, ist sie ausgebessert.</translation>
     </message>
     <message>
-        <source>No near repair was found: this is a convex morph.</source>
-        <translation>Keine nahe Ausbesserung gefunden: Das ist ein konvexer Übergang.</translation>
+        <source>No near repair was found: a part of the time is a convex morph.</source>
+        <translation>Keine nahe Ausbesserung gefunden: Ein Teil der Zeit ist ein konvexer Übergang.</translation>
     </message>
     <message>
         <source>Vertices stay {d} units or more away from other edges.</source>

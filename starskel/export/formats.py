@@ -71,11 +71,14 @@ FORMATS = (
 )
 
 
-def endings_of(layout: Layout, numbered: bool | None = None) -> tuple[str, ...]:
-    """Give the endings of the formats that can hold a layout, only of those that are numbered or are not."""
-    return tuple(
-        found.ending for found in FORMATS if layout in found.layouts and numbered in (None, found.numbered)
-    )
+def formats_of(layout: Layout, numbered: bool | None = None) -> tuple[Format, ...]:
+    """Give the formats that can hold a layout, only those that are numbered or are not."""
+    return tuple(found for found in FORMATS if layout in found.layouts and numbered in (None, found.numbered))
+
+
+def endings_of(layout: Layout) -> tuple[str, ...]:
+    """Give the endings of the formats that can hold a layout, the usual one first."""
+    return tuple(found.ending for found in formats_of(layout))
 
 
 def layouts_of(path: Path) -> tuple[Layout, ...]:

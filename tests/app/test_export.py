@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from app.compute import Result
-from app.export import ENDINGS, Choice, Layout, Stretch, write_choice
+from app.export import FORMATS, Choice, Layout, Stretch, write_choice
 from app.model.easing import Easing
 from starskel import InvalidFile, blend, match, measure
 from starskel.files.examples import example
@@ -21,7 +21,7 @@ def results() -> tuple[Result, ...]:
 
 
 @pytest.mark.parametrize(
-    ("layout", "ending"), [(layout, ending) for layout, endings in ENDINGS.items() for ending in endings]
+    ("layout", "ending"), [(layout, each.ending) for layout, formats in FORMATS.items() for each in formats]
 )
 def test_every_layout_is_written_in_each_of_its_formats(
     layout: Layout, ending: str, results: tuple[Result, ...], tmp_path: Path
@@ -30,7 +30,8 @@ def test_every_layout_is_written_in_each_of_its_formats(
     write_choice(path, "Star", Choice(layout, "vertex", frames=5), [Stretch(results)])
     text = path.read_bytes().decode("latin-1")
     starts = {".svg": "<?xml", ".eps": "%!PS-Adobe-3.0 EPSF", ".ps": "%!PS-Adobe", ".pdf": "%PDF"}
-    assert text.startswith(starts[ending])
+    assert text.startswith({**starts, ".json": "{", ".csv": "method,"}[ending])
+    assert ("<animate" in text) == (layout == "animation" and ending == ".svg")
     if ending == ".ps":
         assert text.count("%%Page:") == (5 if layout == "pages" else 1)
 

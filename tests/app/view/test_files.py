@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.playback import Repeat
 from app.view import exporting, files
 from app.view.dialogs import PairDialog, SaveDialog
 from app.view.export_dialog import ExportDialog
@@ -174,7 +175,9 @@ def test_one_of_many_pairs_is_chosen_by_its_name(driver: Driver, tmp_path: Path)
 def test_keyframes_are_exported_through_the_dialogs(driver: Driver, tmp_path: Path) -> None:
     driver.draw_both()
     driver.wait_for_blends()
-    for row, name in enumerate(("row.svg", "frame.eps", "pages.ps", "sheet.svg")):
+    for row, name in enumerate(
+        ("row.svg", "frame.eps", "pages.ps", "sheet.svg", "lottie.json", "numbers.csv")
+    ):
         driver.in_dialog(_exporting(driver, row, tmp_path / name))
         driver.key(Qt.Key.Key_E, CONTROL)
         assert (tmp_path / name).stat().st_size > 500
@@ -293,6 +296,18 @@ def test_where_nothing_can_be_written_export_and_save_say_so(
     assert "was not saved" in said[0]
     assert "was not written" in said[1]
     assert driver.session.unsaved
+
+
+def test_an_animation_takes_as_long_as_it_plays(driver: Driver, tmp_path: Path) -> None:
+    driver.draw_both()
+    driver.wait_for_blends()
+    driver.window.player.set_speed(2.0)
+    for repeat, seconds in ((Repeat.LOOP, "1.5s"), (Repeat.PING_PONG, "3s")):
+        driver.window.player.set_repeat(repeat)
+        path = tmp_path / f"{repeat.value}.svg"
+        driver.in_dialog(_exporting(driver, 4, path))
+        driver.key(Qt.Key.Key_E, CONTROL)
+        assert f'dur="{seconds}"' in path.read_text()
 
 
 def _exporting(driver: Driver, row: int, path: Path):  # type: ignore[no-untyped-def]

@@ -1,5 +1,6 @@
 import numpy as np
 import pytest
+import shapely
 from PySide6.QtCore import QPointF, QRectF
 
 from app.tools.toolbox import TOOLS
@@ -20,6 +21,14 @@ def test_a_notice_is_beside_what_it_is_about() -> None:
     assert not any(kept.contains(place) for place in concerned)
     assert box.center().y() < 200  # above, where it hides nothing of the shape
     assert abs(box.center().x() - 200) <= 100
+
+
+def test_a_notice_lies_beside_a_shape_that_has_no_vertices_under_it() -> None:
+    """A large triangle: its inside is far from all its vertices."""
+    triangle = np.array([(20.0, 60.0), (400.0, 60.0), (20.0, 330.0)])
+    box = notice_box(150, 40, ROOM, [QPointF(210, 195)], triangle)
+    plate = shapely.box(box.left(), box.top(), box.right(), box.bottom())
+    assert plate.intersection(shapely.Polygon(triangle)).area < 0.05 * plate.area
 
 
 def test_a_notice_about_nothing_lies_on_the_lower_edge() -> None:

@@ -159,6 +159,14 @@ def test_other_programs_get_svg_and_theirs_is_taken(pair: Driver) -> None:
     assert (screen <= (canvas.width(), canvas.height())).all()
 
 
+def test_a_pasted_shape_too_small_to_see_is_shown_larger(pair: Driver) -> None:
+    QGuiApplication.clipboard().setText('<svg><path d="M50 50h3v2h-3z"/></svg>')
+    pair.key(Qt.Key.Key_V, CONTROL)
+    canvas = pair.window.canvases["source"]
+    assert np.ptp(pair.document.vertices("source"), axis=0).tolist() == [3.0, 2.0]
+    assert 3 * canvas.camera.scale > canvas.width() / 2
+
+
 @pytest.mark.parametrize("text", ["just words", "<svg><path d='M0 0 L9 9 9 0 0 9z'/></svg>", "<svg"])
 def test_what_is_no_shape_is_refused_in_words(pair: Driver, text: str) -> None:
     before = pair.document
