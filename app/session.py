@@ -8,16 +8,18 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal, Slot
 
 from app.compute import USUAL_METHODS, Blends, MethodState, Result, Trace, subjects_of, trace_of
-from app.model.document import Document, lost_marks
+from app.model.document import Document
 from app.model.filing import document_of, project_of
 from app.model.history import History
 from app.model.marks import Marks, Side
 from app.model.selection import Selection
+from app.model.sequence import lost_marks
 from app.tools.hand import Hand, Pointed
 from app.tools.marking import replace_marks
 from app.tools.settings import Settings
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
-from starskel.files.project import Project, read_project, write_project
+from starskel.files.project import Project
+from starskel.files.project_file import read_project, write_project
 
 
 class Session(QObject):
@@ -134,7 +136,8 @@ class Session(QObject):
         results = self.fresh_results
         if self.pointed is None or not results:
             return None
-        return trace_of(results[0].blend.pair, *self.pointed)
+        link = self.document.link
+        return trace_of(results[0].pairs[link], *self.pointed) if link < len(results[0].pairs) else None
 
     def overlay(self, side: Side) -> Overlay:
         """Give what the tool shows on a canvas."""
@@ -143,6 +146,9 @@ class Session(QObject):
     # events from the canvases
 
     def press(self, pointer: Pointer) -> None:
+        """Press; first of all the part under the pointer is the one worked on."""
+        if (part := self.hand.reach(self.document, pointer)) is not None:
+            self.show_link(self.document.working_on(pointer.side, part).link)
         self._take(*self.hand.press(self.document, pointer))
 
     def double_press(self, pointer: Pointer) -> None:
@@ -231,7 +237,9 @@ class Session(QObject):
     def suggest_marks(self, count: int) -> None:
         """Replace all marks by so many that suggest themselves, as soon as they are found."""
         if self.finish():
-            self._blends.suggest(count)
+            source, target = self.document.source, self.document.target
+            if source is not None and target is not None:
+                self._blends.suggest(source, target, count)
 
     def show_step(self, step: int) -> None:
         """Put another step of the sequence on the canvases, after the gesture under way is finished."""
@@ -239,10 +247,18 @@ class Session(QObject):
             self.history = self.history.showing(step)
             self._look(Selection(self.selection.side))
 
+    def show_link(self, link: int) -> None:
+        """Work on another link of the step: a part and its partner, or beyond the last on new ones."""
+        if link != self.document.link and self.finish():
+            self.history = self.history.showing(self.document.step, link)
+            self.hand = self.hand.select(Selection(self.selection.side))
+            self.point("source", None)
+            self._refresh()
+
     def arrange(self, verb: Callable[[], Document], name: str, side: Side) -> None:
         """Change the sequence of key shapes; the shape on this side is the one worked on next."""
         if self.finish() and (document := verb()) != self.document:
-            lost = lost_marks(self.document, document)
+            lost = lost_marks(self.document.sequence, document.sequence)
             self.history = self.history.push(document, name)
             self._look(Selection(side), lost)
 
@@ -327,7 +343,7 @@ class Session(QObject):
         if commit.document == self.document:
             self._blend(self.document)  # the gesture ended where it began
             return
-        self.hand = replace(self.hand, lost=lost_marks(self.document, commit.document))
+        self.hand = replace(self.hand, lost=lost_marks(self.document.sequence, commit.document.sequence))
         self.history = self.history.push(commit.document, commit.name, commit.joins)
         self._refresh()
 

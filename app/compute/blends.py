@@ -6,6 +6,7 @@ from app.compute.computer import Computer
 from app.compute.request import Failure, MethodState, Proposal, Request, Result, Subject
 from starskel import METHODS
 from starskel.blending import COMPARED
+from starskel.polygon import Polygon
 
 REMEMBERED = 40
 """So many results are kept besides those shown: undo, and a gesture given up, compute nothing anew."""
@@ -87,11 +88,9 @@ class Blends(QObject):
             self._computer.cancel()
         self.changed.emit()
 
-    def suggest(self, count: int) -> None:
-        """Ask for so many marks of the first step."""
-        subject = self._subjects[self._first]
-        if subject is not None:
-            self._computer.suggest(Proposal(subject.source, subject.target, count))
+    def suggest(self, source: Polygon, target: Polygon, count: int) -> None:
+        """Ask for so many marks of two polygons."""
+        self._computer.suggest(Proposal(source, target, count))
 
     def recompute(self) -> None:
         """Compute all of them anew."""

@@ -10,8 +10,20 @@ import numpy as np
 
 from app.compute.request import Failure, Request, Result
 from app.model.document import Point
-from starskel import Blend, Correspondence, Decomposition, blend, decompose, match, measure
+from starskel import (
+    Blend,
+    Correspondence,
+    Decomposition,
+    Shape,
+    ShapeBlend,
+    ShapeCorrespondence,
+    blend,
+    decompose,
+    match,
+    measure,
+)
 from starskel.errors import Cancelled, StarskelError
+from starskel.files.step import Step
 from starskel.task import ShouldStop
 
 SAMPLES = np.linspace(0, 1, 41)
@@ -38,6 +50,7 @@ class Job:
         self._is_old = is_old
         self._say = report
         self._pair: Correspondence | None = None
+        self._shape_pair: ShapeCorrespondence | None = None
         self._decomposition: Decomposition | None = None
         self._unsettled: list[Result] = []
         self._percent, self._said = -1, monotonic()
@@ -51,8 +64,8 @@ class Job:
             If a newer request has come.
         """
         try:
-            made = self._blend(method, self._request.methods.index(method))
-            result = self._measured(method, made)
+            make = self._blend if self._request.subject.single else self._blend_shapes
+            result = self._measured(method, make(method, self._request.methods.index(method)))
         except Cancelled:
             raise
         except Exception as error:  # whatever it is, the window shows it; the thread lives on
@@ -85,9 +98,12 @@ class Job:
         else:
             yield replace(result, settled=True)
 
-    def _measured(self, method: str, made: Blend) -> Result:
+    def _measured(self, method: str, made: Blend | ShapeBlend) -> Result:
+        if isinstance(made, ShapeBlend):
+            rings = tuple(made.rings(SAMPLES))
+            return Result(method, made, measure(made, should_stop=self._is_old), rings, made.settled)
         report = measure(made, should_stop=self._is_old)
-        return Result(method, made, report, made.frames(SAMPLES), made.settled)
+        return Result(method, made, report, (made.frames(SAMPLES),), made.settled)
 
     def _blend(self, method: str, step: int) -> Blend:
         self._report(method, step, 0.0)
@@ -105,11 +121,38 @@ class Job:
         self._decomposition = made.decomposition or self._decomposition
         return made
 
+    def _blend_shapes(self, method: str, step: int) -> ShapeBlend:
+        self._report(method, step, 0.0)
+        subject = self._request.subject
+        return blend(
+            self._matched_shapes(),
+            method=method,
+            joined=subject.joined,
+            turns=subject.turns,
+            settled=False,
+            progress=partial(self._report, method, step),
+            should_stop=self._is_old,
+        )
+
     def _matched(self) -> Correspondence:
         if self._pair is None:
             subject = self._request.subject
-            self._pair = match(subject.source, subject.target, subject.marks, should_stop=self._is_old)
+            (source,), (target,), (link,) = subject.source, subject.target, subject.links
+            self._pair = match(source, target, link.marks, should_stop=self._is_old)
         return self._pair
+
+    def _matched_shapes(self) -> ShapeCorrespondence:
+        if self._shape_pair is None:
+            subject = self._request.subject
+            self._shape_pair = match(
+                Shape(subject.source),
+                Shape(subject.target),
+                Step(subject.links).marks_by_part(len(subject.source)),
+                pairing=[link.ends for link in subject.links],
+                places={link.ends: link.place for link in subject.links if link.place is not None},
+                should_stop=self._is_old,
+            )
+        return self._shape_pair
 
     def _piece_at(self, place: Point) -> int:
         if self._decomposition is None:

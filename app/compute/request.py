@@ -1,20 +1,23 @@
 """What is asked of the worker, and what comes back."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from app.model.document import Point
-from app.model.marks import Marks
 from app.model.sequence import Sequence
 from starskel.blending import STEERED
+from starskel.files.step import Link
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
+from starskel.shapes.correspondence import ShapeCorrespondence
+from starskel.shapes.shape_blend import ShapeBlend
 
 if TYPE_CHECKING:  # what blends is loaded by the worker, so that the window opens sooner
-    from starskel import Blend, Report
+    from starskel import Blend, Correspondence, Report, ShapeReport
 
 
 @dataclass(frozen=True)
@@ -23,33 +26,44 @@ class Subject:
 
     Attributes
     ----------
-    source, target : Polygon
-        The shapes.
-    marks : tuple of (int, int)
-        What corresponds.
+    source, target : tuples of Polygon
+        The parts of the shapes.
+    links : tuple of Link
+        What becomes of the parts.
+    joined : bool
+        Whether parts move together.
     root : (float, float) or None
         The star origin of the source nearest to this place is to be the star-skeleton's root.
     turns : int
-        Whole turns that the star-skeleton makes besides.
+        Whole turns besides: of the star-skeleton, or of several parts by all methods.
     """
 
-    source: Polygon
-    target: Polygon
-    marks: Marks = ()
+    source: tuple[Polygon, ...]
+    target: tuple[Polygon, ...]
+    links: tuple[Link, ...]
+    joined: bool = True
     root: Point | None = None
     turns: int = 0
 
+    @property
+    def single(self) -> bool:
+        """Whether it is one part that becomes one part, the usual case."""
+        return len(self.source) == len(self.target) == 1 and not self.links[0].alone
+
     def of(self, method: str) -> "Subject":
         """Leave out what makes no difference to a method."""
-        return self if method == STEERED else replace(self, root=None, turns=0)
+        if not self.single:
+            return replace(self, root=None)
+        steered = self if method == STEERED else replace(self, root=None, turns=0)
+        return replace(steered, joined=True)
 
 
 def subjects_of(sequence: Sequence) -> tuple[Subject | None, ...]:
     """Give what is to be blended in each step, None where a shape is missing."""
     return tuple(
-        None
-        if source is None or target is None
-        else Subject(source, target, step.marks, step.root, step.turns)
+        Subject(source.rings, target.rings, step.links, step.joined, step.root, step.turns)
+        if source.parts and target.parts
+        else None
         for (source, target), step in zip(pairwise(sequence.shapes), sequence.steps, strict=True)
     )
 
@@ -88,29 +102,47 @@ class Proposal:
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """A blend and what was measured of it.
+    """A blend and what was measured of it; of one part it is a `Blend`, of several a `ShapeBlend`.
 
     Attributes
     ----------
     method : str
-    blend : Blend
-    report : Report
-    samples : (k, n, 2) array
-        Frames evenly spread over [0, 1].
+    blend : Blend or ShapeBlend
+    report : Report or ShapeReport
+    samples : tuple of (k, n, 2) arrays
+        For each link the rings at moments evenly spread over [0, 1].
     settled : bool
         Whether no better one will follow.
     """
 
     method: str
-    blend: "Blend"
-    report: "Report"
-    samples: Floats
+    blend: "Blend | ShapeBlend"
+    report: "Report | ShapeReport"
+    samples: tuple[Floats, ...]
     settled: bool = True
+
+    @cached_property
+    def pairs(self) -> "tuple[Correspondence, ...]":
+        """For each link the correspondence of its rings."""
+        pair = self.blend.pair
+        return pair.ring_pairs if isinstance(pair, ShapeCorrespondence) else (pair,)
+
+    def rings_at(self, t: float) -> list[Floats]:
+        """Give for each link the ring at t."""
+        return self.blend.at(t) if isinstance(self.blend, ShapeBlend) else [self.blend.at(t)]
+
+    @property
+    def outer(self) -> tuple[int, ...]:
+        """For each link the one whose ring its own is a hole of, -1 for outlines."""
+        pair = self.blend.pair
+        return pair.outer if isinstance(pair, ShapeCorrespondence) else (-1,)
 
     @property
     def box(self) -> Floats:
         """The lower left and the upper right corner of all frames, (2, 2)."""
-        return np.array([self.samples.min(axis=(0, 1)), self.samples.max(axis=(0, 1))])
+        low = np.min([ring.min(axis=(0, 1)) for ring in self.samples], axis=0)
+        high = np.max([ring.max(axis=(0, 1)) for ring in self.samples], axis=0)
+        return np.array([low, high])
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,8 +13,8 @@ def document_of(project: Project, usual_methods: tuple[str, ...]) -> Document:
     InvalidMarks
         If marks of it cross.
     """
-    sequence = Sequence(project.shapes, project.steps, project.pictures)
-    return Document(project.name, sequence, 0, project.methods or usual_methods, project.description)
+    sequence, methods = Sequence(project.shapes, project.steps), project.methods or usual_methods
+    return Document(project.name, sequence, methods=methods, description=project.description)
 
 
 def project_of(document: Document, name: str) -> Project:
@@ -26,5 +26,4 @@ def project_of(document: Document, name: str) -> Project:
         sequence.steps,
         document.methods,
         document.description,
-        sequence.pictures,
     )

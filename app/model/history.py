@@ -47,8 +47,8 @@ class History:
 
     @property
     def unsaved(self) -> bool:
-        """Whether the document differs from its file; which step of it is looked at makes no difference."""
-        return self.document.showing(0) != self.saved.showing(0)
+        """Whether the document differs from its file; what of it is looked at makes no difference."""
+        return self.document.showing(0, 0) != self.saved.showing(0, 0)
 
     @classmethod
     def of(cls, document: Document) -> "History":
@@ -83,10 +83,13 @@ class History:
         """Note that the document is in its file as it is now."""
         return replace(self, saved=self.document)
 
-    def showing(self, step: int) -> "History":
-        """Show another step of the document: no edit, so nothing is forgotten and nothing can be undone."""
+    def showing(self, step: int, link: int | None = None) -> "History":
+        """Show another step of the document, or another link of it.
+
+        That is no edit: nothing is forgotten and nothing can be undone.
+        """
         here = self.steps[self.position]
-        seen = replace(here, document=here.document.showing(step))
+        seen = replace(here, document=here.document.showing(step, link))
         return replace(self, steps=(*self.steps[: self.position], seen, *self.steps[self.position + 1 :]))
 
     def at(self, position: int) -> "History":

@@ -3,13 +3,15 @@
 from collections.abc import Sequence as Order
 from dataclasses import dataclass, replace
 from itertools import accumulate, pairwise
+from typing import Any
 
-from app.model import marks as pins
-from app.model.marks import Marks, Place, Side
-from starskel.correspondence.marks import checked_marks
-from starskel.errors import InvalidMarks, StarskelError, told
+from app.model import pairing
+from app.model.marks import Place, Side
+from app.model.pairing import Ends, Links, complete
+from starskel.errors import StarskelError, told
+from starskel.files.key_shape import KeyShape, Part
 from starskel.files.picture import Picture
-from starskel.files.step import Step
+from starskel.files.step import Link, Step
 from starskel.polygon import Polygon
 
 USUAL = Step()
@@ -18,6 +20,9 @@ USUAL = Step()
 SHORTEST = 0.05
 """No step is shorter."""
 
+Vertex = tuple[Polygon, int]
+"""A vertex of a polygon, wherever that is."""
+
 
 @dataclass(frozen=True)
 class Sequence:
@@ -25,32 +30,29 @@ class Sequence:
 
     Attributes
     ----------
-    shapes : tuple of Polygon or None
-        At least two, None where nothing has been drawn yet.
+    shapes : tuple of KeyShape
+        At least two, without parts where nothing has been drawn yet.
     steps : tuple of Step
         From each shape to the next, one fewer than shapes.
-    pictures : tuple of Picture or None
-        For each shape what is behind it; given empty, there is none at all.
+
+    Raises
+    ------
+    StarskelError
+        If there are too few.
+    InvalidMarks
+        If the links or the marks of a step do not fit its shapes.
     """
 
-    shapes: tuple[Polygon | None, ...] = (None, None)
+    shapes: tuple[KeyShape, ...] = (KeyShape(), KeyShape())
     steps: tuple[Step, ...] = (USUAL,)
-    pictures: tuple[Picture | None, ...] = ()
 
     def __post_init__(self) -> None:
         if len(self.shapes) < 2:
             raise StarskelError(
                 told("one shape alone has nothing to become"), told("keep two shapes at least")
             )
-        if not self.pictures:
-            object.__setattr__(self, "pictures", (None,) * len(self.shapes))
-        for step, (source, target) in zip(self.steps, pairwise(self.shapes), strict=True):
-            _check(source, target, step.marks)
-
-    @property
-    def marks(self) -> tuple[Marks, ...]:
-        """For each step a vertex of its source, a vertex of its target."""
-        return tuple(step.marks for step in self.steps)
+        for step, ends in zip(self.steps, pairwise(self.shapes), strict=True):
+            step.check(*ends)
 
     @property
     def durations(self) -> tuple[float, ...]:
@@ -58,15 +60,25 @@ class Sequence:
         return tuple(step.duration for step in self.steps)
 
     @property
-    def ends(self) -> list[tuple[tuple[Polygon | None, int], tuple[Polygon | None, int]]]:
-        """For each mark of all steps its two ends: a shape, and a vertex of it."""
-        steps = zip(pairwise(self.shapes), self.marks, strict=True)
-        return [((a, i), (b, j)) for (a, b), marks in steps for i, j in marks]
+    def ends(self) -> list[tuple[Vertex, Vertex]]:
+        """For each mark of all steps its two ends."""
+        return [
+            ((a.rings[link.source], i), (b.rings[link.target], j))
+            for (a, b), step in zip(pairwise(self.shapes), self.steps, strict=True)
+            for link in step.links
+            if link.source is not None and link.target is not None
+            for i, j in link.marks
+        ]
 
     @property
-    def marked(self) -> frozenset[tuple[Polygon | None, int]]:
-        """The shapes that are marked, each with a vertex that is."""
-        return frozenset(end for ends in self.ends for end in ends)
+    def pairings(self) -> list[frozenset[Ends]]:
+        """For each step which parts are linked."""
+        return [frozenset(link.ends for link in step.links) for step in self.steps]
+
+    @property
+    def rings(self) -> frozenset[Polygon]:
+        """All polygons."""
+        return frozenset(ring for shape in self.shapes for ring in shape.rings)
 
     @property
     def times(self) -> tuple[float, ...]:
@@ -77,48 +89,55 @@ class Sequence:
     @property
     def complete(self) -> bool:
         """Whether there is a step with both its shapes."""
-        return any(None not in ends for ends in pairwise(self.shapes))
+        return any(one.parts and two.parts for one, two in pairwise(self.shapes))
 
-    def marks_between(self, first: int, second: int) -> Marks:
-        """Give the marks that lead from any shape to any other, by way of those between them.
+    # the order of shapes
+
+    def marked(self, shape: int, part: int) -> tuple[int, ...]:
+        """Give the vertices of a part that are marked, in the step to its shape or in the one from it."""
+        found: list[int] = []
+        for step, side in self._steps_at(shape).items():
+            found += pairing.marked(self.steps[step].links, side, part)
+        return tuple(dict.fromkeys(found))
+
+    def links_between(self, first: int, second: int) -> Links:
+        """Give the links that lead from any shape to any other, by way of those between them.
 
         A shape and its copy correspond where it is marked at all.
         """
         if first > second:
-            return pins.reversed_marks(self.marks_between(second, first))
+            return tuple(link.reversed for link in self.links_between(second, first))
         if first == second:
-            before = [pins.end(mark, "target") for mark in self.marks[first - 1]] if first else []
-            after = [pins.end(m, "source") for m in self.marks[first]] if first < len(self.steps) else []
-            return tuple((vertex, vertex) for vertex in dict.fromkeys(before + after))
-        found = self.marks[first]
+            parts = range(len(self.shapes[first]))
+            return tuple(Link(part, part, tuple((v, v) for v in self.marked(first, part))) for part in parts)
+        found = self.steps[first].links
         for step in range(first + 1, second):
-            found = pins.composed(found, self.marks[step])
-        return found
+            found = pairing.composed(found, self.steps[step].links)
+        return complete(found, len(self.shapes[first]), len(self.shapes[second]))
 
     def step_between(self, first: int | None, second: int | None) -> Step:
         """Give the step from any shape to any other, None is an empty one.
 
         Neighbours keep their step, also backwards. Else it goes as the step did that began at the same shape,
-        with the marks that lead from the one to the other by way of the shapes that lay between them.
+        with the links that lead from the one to the other by way of the shapes that lay between them.
         """
-        if first is None or first == second:
-            kept = USUAL
-        elif second == first - 1:
+        if first is not None and second is not None and second == first - 1:
             return self.steps[second].reversed
-        else:
-            kept = self.steps[first] if first < len(self.steps) else USUAL
-        marks = () if first is None or second is None else self.marks_between(first, second)
-        return replace(kept, marks=marks)
+        began = first is not None and first != second and first < len(self.steps)
+        kept = self.steps[first] if began and first is not None else USUAL
+        if first is None or second is None:
+            parts = [0 if shape is None else len(self.shapes[shape]) for shape in (first, second)]
+            return replace(kept, links=complete((), *parts))
+        return replace(kept, links=self.links_between(first, second))
 
     def arranged(self, order: Order[int | None], durations: Order[float]) -> "Sequence":
         """Put the shapes into another order; a shape may be left out or come again, None is an empty one."""
-        shapes = tuple(None if k is None else self.shapes[k] for k in order)
+        shapes = tuple(KeyShape() if k is None else self.shapes[k] for k in order)
         steps = tuple(
             replace(self.step_between(*ends), duration=duration)
             for ends, duration in zip(pairwise(order), durations, strict=True)
         )
-        pictures = tuple(None if k is None else self.pictures[k] for k in order)
-        return Sequence(shapes, steps, pictures)
+        return Sequence(shapes, steps)
 
     def added(self, after: int) -> "Sequence":
         """Put an empty shape behind another; the step to it is of usual length."""
@@ -139,6 +158,13 @@ class Sequence:
         order = [k for k in range(len(self.shapes)) if k != shape]
         return self.arranged([*order[:to], shape, *order[to:]], self.durations)
 
+    def _longer(self, after: int, shape: int | None) -> "Sequence":
+        order: list[int | None] = list(range(len(self.shapes)))
+        order.insert(after + 1, shape)
+        return self.arranged(order, (*self.durations[:after], USUAL.duration, *self.durations[after:]))
+
+    # steps and shapes
+
     def timed(self, step: int, duration: float) -> "Sequence":
         """Let a step take so long; what follows it comes sooner or later.
 
@@ -155,36 +181,68 @@ class Sequence:
         """Replace a step."""
         return replace(self, steps=(*self.steps[:number], step, *self.steps[number + 1 :]))
 
-    def put_shape(self, number: int, shape: Polygon | None, place: Place) -> "Sequence":
-        """Replace a shape; `place` tells where each vertex of the former one is in it, None where it is gone.
+    def put_picture(self, number: int, picture: Picture | None) -> "Sequence":
+        """Put a picture behind a shape, or take it away."""
+        return self._with(number, replace(self.shapes[number], picture=picture), {})
+
+    # parts
+
+    def add_part(self, number: int, part: Part) -> "Sequence":
+        """Add a part to a shape; it has no partner yet."""
+        shape = self.shapes[number]
+        return self._with(number, shape.put(len(shape), part), {})
+
+    def remove_part(self, number: int, part: int) -> "Sequence":
+        """Take a part out of a shape; its partners are alone."""
+        links = {
+            step: pairing.without_part(self.steps[step].links, side, part)
+            for step, side in self._steps_at(number).items()
+        }
+        return self._with(number, self.shapes[number].without(part), links)
+
+    def put_ring(self, number: int, part: int, ring: Polygon, place: Place) -> "Sequence":
+        """Give a part another ring; `place` tells where each vertex of the former one is in it, if anywhere.
 
         Raises
         ------
+        InvalidPolygon
+            If the parts then form no shape.
         InvalidMarks
             If marks of a step to or from it would cross.
         """
-        ends: dict[int, Side] = {number - 1: "target", number: "source"}
+        links = {
+            step: pairing.followed(self.steps[step].links, side, part, place)
+            for step, side in self._steps_at(number).items()
+        }
+        shape = self.shapes[number]
+        return self._with(number, shape.put(part, replace(shape.parts[part], ring=ring)), links)
+
+    def style(self, number: int, part: int, **changes: Any) -> "Sequence":
+        """Change the name, the colour or the visibility of a part, as `Part` has them."""
+        shape = self.shapes[number]
+        return self._with(number, shape.put(part, replace(shape.parts[part], **changes)), {})
+
+    def _steps_at(self, shape: int) -> dict[int, Side]:
+        """Give the steps to and from a shape, each with the side on which the shape is."""
+        sides: dict[int, Side] = {shape - 1: "target", shape: "source"}
+        return {step: side for step, side in sides.items() if 0 <= step < len(self.steps)}
+
+    def _with(self, number: int, shape: KeyShape, links: dict[int, Links]) -> "Sequence":
+        """Replace a shape and the links of some steps; parts that are new or left over are alone."""
+        shapes = (*self.shapes[:number], shape, *self.shapes[number + 1 :])
         steps = tuple(
-            replace(step, marks=pins.followed(step.marks, ends[k], place)) if k in ends else step
+            replace(step, links=complete(links.get(k, step.links), *map(len, shapes[k : k + 2])))
             for k, step in enumerate(self.steps)
         )
-        return replace(self, shapes=(*self.shapes[:number], shape, *self.shapes[number + 1 :]), steps=steps)
-
-    def put_picture(self, number: int, picture: Picture | None) -> "Sequence":
-        """Put a picture behind a shape, or take it away."""
-        return replace(self, pictures=(*self.pictures[:number], picture, *self.pictures[number + 1 :]))
-
-    def _longer(self, after: int, shape: int | None) -> "Sequence":
-        order: list[int | None] = list(range(len(self.shapes)))
-        order.insert(after + 1, shape)
-        return self.arranged(order, (*self.durations[:after], USUAL.duration, *self.durations[after:]))
+        return Sequence(shapes, steps)
 
 
-def _check(source: Polygon | None, target: Polygon | None, marks: Marks) -> None:
-    """Raise InvalidMarks where the marks do not fit the shapes of their step."""
-    if source is not None and target is not None:
-        checked_marks(source, target, marks)
-    elif marks:
-        raise InvalidMarks(
-            told("there are marks, but not both shapes"), told("draw both shapes first"), marks
-        )
+def lost_marks(former: Sequence, later: Sequence) -> int:
+    """Count the marks that an edit of shapes or links took along from those that are still there."""
+    if former.shapes == later.shapes and former.pairings == later.pairings:
+        return 0
+    if later.rings <= former.rings:
+        left = frozenset(end for ends in later.ends for end in ends)
+        gone = {end for ends in former.ends for end in ends if end[0] in later.rings} - left
+        return sum(not gone.isdisjoint(ends) for ends in former.ends)
+    return max(len(former.ends) - len(later.ends), 0)

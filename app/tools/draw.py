@@ -25,7 +25,7 @@ class DrawTool(Tool):
 
     name: ClassVar[str] = "draw"
     hint: ClassVar[str] = QT_TRANSLATE_NOOP(
-        "Hint", "Click to set the first vertex; the new shape replaces the one on its canvas."
+        "Hint", "Click to set the first vertex; the new shape takes the place of the one worked on."
     )
 
     def press(self, scene: Scene, pointer: Pointer) -> Response:

@@ -70,6 +70,10 @@ class Hand:
         """Give what ending the gesture here would lead to, None where it would change nothing."""
         return self.tool.preview(self.scene(document), pointer) if self.busy else None
 
+    def reach(self, document: Document, pointer: Pointer) -> int | None:
+        """Give the part, other than the one worked on, that a press here would be about."""
+        return None if self.busy else self.tool.reach(self.scene(document), pointer)
+
     # pointer and keys
 
     def press(self, document: Document, pointer: Pointer) -> Taken:

@@ -6,7 +6,7 @@ from typing import ClassVar
 from app.model.document import Document
 from app.model.marks import Side, end, mark_at
 from app.model.texts import QT_TRANSLATE_NOOP
-from app.tools.pick import distance, vertex_at
+from app.tools.pick import distance, part_of_vertex_at, vertex_at
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
 from starskel.errors import InvalidMarks
 
@@ -24,6 +24,12 @@ class MarkTool(Tool):
         "Click a vertex, then its partner on the other canvas, or drag from one to the other. "
         "Click a pin to remove it, drag it to move it.",
     )
+
+    def reach(self, scene: Scene, pointer: Pointer) -> int | None:
+        """Give the part whose vertex is under the pointer."""
+        if vertex_at(scene.document, pointer) is not None:
+            return None
+        return part_of_vertex_at(scene.document, pointer)
 
     def press(self, scene: Scene, pointer: Pointer) -> Response:
         vertex = vertex_at(scene.document, pointer)

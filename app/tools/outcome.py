@@ -16,10 +16,9 @@ def drawn(scene: Scene, side: Side, ring: Floats, tool: Tool, name: str) -> Resp
     that a stray press does not begin to replace one.
     """
     try:
-        polygon = Polygon(ring)
+        document = scene.document.draw(side, Polygon(ring))
     except InvalidPolygon as error:
         return Response(tool, refusal=refused_ring(side, ring, error))
-    document = scene.document.draw(side, polygon)
     if scene.document.polygon(other(side)) is None:
         return Response(tool, Commit(document, name), Selection(side))
     return Response(SelectTool(side), Commit(document, name), everything(document, side))

@@ -50,6 +50,31 @@ def inside(document: Document, pointer: Pointer) -> bool:
     return polygon is not None and bool(shapely.contains_xy(shapely.Polygon(polygon.vertices), *pointer.at))
 
 
+def part_of_vertex_at(document: Document, pointer: Pointer) -> int | None:
+    """Give the part that has the nearest vertex within the pick radius; those not shown have none."""
+    ways = {
+        number: float(np.hypot(*(part.ring.vertices - pointer.at).T).min())
+        for number, part in enumerate(document.shape(pointer.side).parts)
+        if part.visible
+    }
+    nearest = min(ways, key=lambda number: ways[number], default=None)
+    return nearest if nearest is not None and ways[nearest] <= pointer.radius else None
+
+
+def part_under(document: Document, pointer: Pointer) -> int | None:
+    """Give the part whose edge is under the pointer, or else the innermost that the pointer is in.
+
+    Parts that are not shown are not met; where several are, the smallest is meant.
+    """
+    found = []
+    for number, part in enumerate(document.shape(pointer.side).parts):
+        ring, place = shapely.Polygon(part.ring.vertices), shapely.Point(pointer.at)
+        near = shapely.dwithin(shapely.boundary(ring), place, pointer.radius)
+        if part.visible and (near or shapely.contains_xy(ring, *pointer.at)):
+            found.append((not near, part.ring.area, number))
+    return min(found)[2] if found else None
+
+
 def distance(a: Point, b: Point) -> float:
     """Give the distance between two points."""
     return float(np.hypot(a[0] - b[0], a[1] - b[1]))

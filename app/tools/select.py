@@ -12,7 +12,7 @@ from app.model.texts import QT_TRANSLATE_NOOP
 from app.model.transforms import Box, box_of
 from app.tools.handles import handle_at, in_frame
 from app.tools.moving import Dragging, Transforming, placed
-from app.tools.pick import distance, edge_at, inside, nearest_vertex, vertex_at, vertices_in
+from app.tools.pick import distance, edge_at, inside, nearest_vertex, part_under, vertex_at, vertices_in
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool, refused_ring
 from starskel.errors import StarskelError
 from starskel.predicates import Floats
@@ -35,6 +35,17 @@ class SelectTool(Tool):
         "Drag vertices or edges, click the shape to select it whole, double-click an edge to insert. "
         "Shift adds; arrow keys move, with Alt they turn and scale.",
     )
+
+    def reach(self, scene: Scene, pointer: Pointer) -> int | None:
+        """Give the part under the pointer, where nothing of the one worked on is nearer."""
+        document, box = scene.document, frame_of(scene, pointer.side)
+        on_handle = box is not None and not pointer.shift and bool(handle_at(box, pointer))
+        if on_handle or len(document.shape(pointer.side)) == (document.part(pointer.side) is not None):
+            return None
+        if edge_at(document, pointer) is not None:
+            return None
+        part = part_under(document, pointer)
+        return None if part == document.part(pointer.side) else part
 
     def press(self, scene: Scene, pointer: Pointer) -> Response:
         side, idle = pointer.side, SelectTool(pointer.side)

@@ -204,6 +204,10 @@ class Tool:
     options: ClassVar[str] = ""
     """Which options apply now, where they are not those of the tool."""
 
+    def reach(self, scene: Scene, pointer: Pointer) -> int | None:
+        """Give the part, other than the one worked on, that a press here would be about."""
+        return None
+
     def press(self, scene: Scene, pointer: Pointer) -> "Response":
         return Response(self)
 

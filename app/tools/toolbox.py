@@ -5,6 +5,7 @@ from app.tools.figure import EllipseTool, RectangleTool, RegularPolygonTool, Sta
 from app.tools.freehand import FreehandTool
 from app.tools.mark import MarkTool
 from app.tools.picture import PictureTool
+from app.tools.place import PlaceTool
 from app.tools.select import SelectTool
 from app.tools.text import TextTool
 from app.tools.tool import Tool
@@ -21,6 +22,7 @@ TOOLS: dict[str, type[Tool]] = {
         StarTool,
         TextTool,
         PictureTool,
+        PlaceTool,
         MarkTool,
     )
 }

@@ -99,7 +99,7 @@ class Canvas(QWidget):
 
     def reveal(self) -> None:
         """Show the whole shape where a part of it is out of sight, or where it would be too small to see."""
-        screen = self.camera.to_screen(self._session.document.vertices(self.side))
+        screen = self.camera.to_screen(self._session.document.extent(self.side))
         inside = ((screen >= 0) & (screen <= (self.width(), self.height()))).all()
         if not inside or (np.ptp(screen, axis=0) < np.array([self.width(), self.height()]) * TINY).all():
             self.fit()
@@ -129,7 +129,7 @@ class Canvas(QWidget):
 
     def _aim(self) -> None:
         document = self._session.document
-        extent = document.vertices(self.side)
+        extent = document.extent(self.side)
         if (picture := document.picture(self.side)) is not None:
             box = box_of_picture(picture)
             extent = np.concatenate([extent, [box.low, box.high]])

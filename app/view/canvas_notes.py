@@ -57,6 +57,14 @@ def how_to_draw(tool: Tool) -> str:
     return words.hint(TOOLS[tool.name]().hint)  # not what to do with the shape just made on the other canvas
 
 
+def paint_line(painter: QPainter, theme: Theme, frame: QRectF, text: str) -> None:
+    """Say something in a line at the lower edge of a canvas."""
+    painter.setPen(QColor(theme.text))
+    painter.setFont(_sized(painter.font(), 10.0, bold=True))
+    flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom
+    painter.drawText(frame.adjusted(20, 0, -20, -10), flags, text)
+
+
 def paint_invitation(painter: QPainter, theme: Theme, frame: QRectF, heading: str, how: str) -> None:
     """Say in an empty canvas what belongs there, and how to begin."""
     painter.setPen(QColor(theme.text))

@@ -1,26 +1,38 @@
 """What a canvas shows: the shape, its vertices and pins, the gesture under way, and what was refused."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPalette
 
 from app.model.document import Point
 from app.model.marks import Side, end, mark_at
+from app.model.parts import stacked
 from app.session import Session
 from app.tools.picture import box_of_picture
-from app.tools.tool import Overlay
+from app.tools.tool import Overlay, as_point
 from app.view import words
 from app.view.camera import Camera
 from app.view.canvas_gesture import GesturePainter, square
-from app.view.canvas_notes import how_to_draw, paint_caption, paint_invitation, paint_news, paint_notice
+from app.view.canvas_notes import (
+    how_to_draw,
+    paint_caption,
+    paint_invitation,
+    paint_line,
+    paint_news,
+    paint_notice,
+)
 from app.view.counts import COUNTS
 from app.view.display import Layers
 from app.view.drawing import faded, lines_of, pen, point_of, polygon_of
 from app.view.frame_layers import paint_numbers, paint_way
+from app.view.parts import paint_region, regions
 from app.view.pictures import image_of
 from app.view.pins import Pin, cross_at, outward, paint_pins
 from app.view.structure import paint_cut
 from app.view.theme import theme_of
+from starskel.files.key_shape import Part
 from starskel.predicates import Floats
 
 CROWDED = 7.0
@@ -56,7 +68,9 @@ class CanvasPainter:
         self._layers = layers
         self._side: Side = side
         self._overlay: Overlay = session.overlay(side)
-        self._colour = self._theme.side(side)
+        part = session.document.part(side)
+        own = "" if part is None else session.document.shape(side).parts[part].colour
+        self._colour = QColor(own or self._theme.side(side))
         stored = session.document.vertices(side)
         self._ring: Floats = stored if self._overlay.ring is None else self._overlay.ring
         self._screen = camera.to_screen(self._ring)
@@ -72,6 +86,7 @@ class CanvasPainter:
         self._paint_vertices()
         self._paint_numbers()
         self._paint_pins()
+        self._paint_growth()
         self._paint_trace()
         self._paint_selection()
         GesturePainter(self._painter, self._theme, self._camera, self._colour).paint(self._overlay)
@@ -118,13 +133,37 @@ class CanvasPainter:
     # the document
 
     def _paint_shape(self) -> None:
-        if not len(self._screen):
-            return
-        replaced = self._is_replaced()
-        width = 1.0 if self._crowded() else 1.5  # wider, 2,000 smooth edges take a hundred times as long
-        self._painter.setPen(pen(faded(self._colour, 0.35 if replaced else 1.0), width))
-        self._painter.setBrush(faded(self._colour, 0.07 if replaced else 0.22))
-        self._painter.drawPolygon(polygon_of(self._screen), Qt.FillRule.WindingFill)
+        document, worked_on = self._session.document, self._session.document.part(self._side)
+        parts = document.shape(self._side).parts
+        alone = len(parts) == (worked_on is not None)
+        if not alone:
+            self._paint_parts(parts, worked_on)
+        if len(self._screen):
+            replaced = self._is_replaced()
+            width = 1.0 if self._crowded() else 1.5  # wider, 2,000 smooth edges take a hundred times as long
+            self._painter.setPen(pen(faded(self._colour, 0.35 if replaced else 1.0), width))
+            self._painter.setBrush(faded(self._colour, (0.07 if replaced else 0.22) if alone else 0.0))
+            self._painter.drawPolygon(polygon_of(self._screen), Qt.FillRule.WindingFill)
+
+    def _paint_parts(self, parts: Sequence[Part], worked_on: int | None) -> None:
+        """Paint all parts that are shown, and the outlines of those that are not worked on."""
+        shape = self._session.document.shape(self._side).shape
+        rings = [self._camera.to_screen(part.ring.vertices) for part in parts]
+        shown = [part.visible or number == worked_on for number, part in enumerate(parts)]
+        if worked_on is not None:
+            rings[worked_on] = self._screen
+        order = stacked(self._session.document, self._side)
+        for outline, holes in sorted(regions(shape.outer, shown), key=lambda region: order.index(region[0])):
+            colour = QColor(parts[outline].colour or self._theme.side(self._side))
+            self._painter.setPen(Qt.PenStyle.NoPen)
+            self._painter.setBrush(faded(colour, 0.22 if worked_on in (outline, *holes) else 0.13))
+            paint_region(self._painter, rings[outline], [rings[hole] for hole in holes])
+        self._painter.setBrush(Qt.BrushStyle.NoBrush)
+        for number, ring in enumerate(rings):
+            if shown[number] and number != worked_on:
+                colour = QColor(parts[number].colour or self._theme.side(self._side))
+                self._painter.setPen(pen(faded(colour, 0.7), 1.0))
+                self._painter.drawPolygon(polygon_of(ring))
 
     def _paint_structure(self) -> None:
         """Show how the shape is cut, where that is known of the shape as it is now."""
@@ -192,12 +231,30 @@ class CanvasPainter:
         direction: Floats = outward(self._ring, vertex) * (1, -1)
         return direction
 
+    def _paint_growth(self) -> None:
+        """Show where the part worked on grows from or shrinks to, if it has no partner here."""
+        document, results = self._session.document, self._session.fresh_results
+        if document.pair.ends == (None, None) or document.part(self._side) is not None:
+            return
+        place = document.pair.place
+        if place is None and results:
+            rings = results[0].rings_at(0.0 if self._side == "source" else 1.0)
+            place = as_point(rings[document.link].mean(axis=0))
+        if place is not None:
+            middle = self._on_screen(place)
+            self._painter.setPen(pen(self._theme.accent, 2.0))
+            self._painter.setBrush(QColor(self._theme.base))
+            self._painter.drawPolygon([middle + step for step in DIAMOND])
+            self._painter.drawPoint(middle)
+            self._painter.setPen(QColor(self._theme.text))
+            self._painter.drawText(middle + QPointF(14, 4), words.growth(self._side))
+
     def _paint_trace(self) -> None:
         """Show the partner of the vertex pointed at, and the way from the one to the other."""
         trace, pointed = self._session.trace, self._session.pointed
         if trace is None or pointed is None:
             return
-        way = self._session.fresh_results[0].samples[:, trace.row]
+        way = self._session.fresh_results[0].samples[self._session.document.link][:, trace.row]
         paint_way(self._painter, self._theme, self._camera.to_screen(way))
         self._painter.setPen(pen(self._theme.accent, 2.5))
         self._painter.setBrush(QColor(self._theme.base))
@@ -249,9 +306,14 @@ class CanvasPainter:
     def _paint_words(self) -> None:
         document = self._session.document
         name = words.canvas(document, self._side)
+        part, shape = document.part(self._side), document.shape(self._side)
+        if len(shape) > 1 and part is not None:
+            name = f"{name} \N{MIDDLE DOT} {words.part(shape.parts[part], part)}"
         paint_caption(self._painter, self._theme, self._side, name, len(self._ring))
         begun = self._is_replaced() or self._overlay.trail is not None
-        if not len(self._screen) and not begun:
+        if shape.parts and document.pair.ends == (None, None) and not begun:
+            paint_line(self._painter, self._theme, self._frame(), words.new_part(self._side))
+        elif not shape.parts and not begun:
             how = how_to_draw(self._session.tool)
             heading = words.invitation(document, self._side)
             paint_invitation(self._painter, self._theme, self._frame(), heading, how)

@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from app.view import drawing_commands, sequence_commands, window_commands
+from app.view import drawing_commands, parts_commands, sequence_commands, window_commands
 from app.view.command import Command
 
 COMMANDS = (
@@ -76,6 +76,7 @@ COMMANDS = (
     *drawing_commands.SNAPPING,
     *drawing_commands.CLIPBOARD,
     *drawing_commands.SHAPE,
+    *parts_commands.PARTS,
     *sequence_commands.SEQUENCE,
     *window_commands.WINDOW,
     *window_commands.HELP,
@@ -283,6 +284,14 @@ MENUS = (
     (
         QT_TRANSLATE_NOOP("Command", "&Shape"),
         (*_names(drawing_commands.SHAPE), "", *_names(drawing_commands.PICTURE)),
+    ),
+    (
+        QT_TRANSLATE_NOOP("Command", "&Parts"),
+        (
+            *("part-add", "part-remove", "", "part-before", "part-after", "", "part-forward"),
+            *("part-backward", "part-shown", "part-colour", "part-usual-colour", "", "suggest-pairing"),
+            *("part-apart", "place", "usual-place", "joined", "", "parts"),
+        ),
     ),
     (
         QT_TRANSLATE_NOOP("Command", "Se&quence"),

@@ -1,5 +1,6 @@
 """Files from the user's side: new, open, save, export, and no change lost on the way."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
@@ -22,11 +23,18 @@ from app.view.display import Display
 from app.view.player import Player
 from app.view.remembered import remember_file
 from starskel.errors import StarskelError
-from starskel.files import pairs
+from starskel.files import multi_pairs, pairs
 from starskel.files.documents import format_of
 from starskel.files.examples import example
-from starskel.files.pairs import read_pairs
+from starskel.files.multi_pairs import MultiPairsFile, read_multi_pairs
+from starskel.files.pairs import PairsFile, read_pairs
 from starskel.files.project import Project
+
+PAIRS: dict[str, Callable[[Path], PairsFile | MultiPairsFile]] = {
+    pairs.FORMAT: read_pairs,
+    multi_pairs.FORMAT: read_multi_pairs,
+}
+"""What reads a file of pairs, by its format."""
 
 
 class Files(QObject):
@@ -74,8 +82,8 @@ class Files(QObject):
         """Open a project, or a pair of a file of pairs; where that fails, what is open stays."""
         self._folder = path.absolute().parent
         try:
-            if format_of(path) == pairs.FORMAT:
-                self._open_pair(path)
+            if (read := PAIRS.get(format_of(path))) is not None:
+                self._open_pair(read(path))
             else:
                 self._session.open(path)
             remember_file(path)
@@ -117,8 +125,7 @@ class Files(QObject):
             self._folder = path.parent
             self.exported.emit(path)
 
-    def _open_pair(self, path: Path) -> None:
-        file = read_pairs(path)
+    def _open_pair(self, file: PairsFile | MultiPairsFile) -> None:
         chosen: str | None = file.ids[0]
         if len(file.ids) > 1:
             dialog = PairDialog(file.ids, self._window)

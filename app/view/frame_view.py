@@ -15,6 +15,7 @@ from app.view.display import Display
 from app.view.drawing import layer_for, painting
 from app.view.frame_layers import paint_ghosts, paint_ways
 from app.view.frame_painter import FramePainter
+from app.view.parts import looks_of
 from app.view.player import Player
 from app.view.theme import theme_of
 from starskel.blending.pieces import PieceBlend
@@ -141,9 +142,10 @@ class FrameView(QWidget):
         if result is not None:
             self._paint_backdrop(painter)
             frame = FramePainter(painter, theme, self.camera, self._display.layers)
-            frame.paint(result, self._player.t, stale=self._state.stale)
+            looks = looks_of(self._session.document)
+            frame.paint(result, self._player.t, looks, stale=self._state.stale)
             if (trace := self._session.trace) is not None and not self._state.stale:
-                frame.paint_trace(result, self._player.t, trace.row)
+                frame.paint_trace(result, self._player.t, self._session.document.link, trace.row)
         if self.message:
             painter.setPen(QColor(theme.muted))
             room = QRectF(self.rect()).adjusted(14, 10, -14, -10)
@@ -157,11 +159,11 @@ class FrameView(QWidget):
             return
         if self._backdrop is None:
             self._backdrop = layer_for(self)
-            samples = self.camera.to_screen(result.samples)
             with painting(self._backdrop) as behind:
                 behind.setRenderHint(QPainter.RenderHint.Antialiasing)
-                if layers.onion:
-                    paint_ghosts(behind, theme_of(self.palette()), samples)
-                if layers.ways:
-                    paint_ways(behind, theme_of(self.palette()), samples)
+                for samples in map(self.camera.to_screen, result.samples):
+                    if layers.onion:
+                        paint_ghosts(behind, theme_of(self.palette()), samples)
+                    if layers.ways:
+                        paint_ways(behind, theme_of(self.palette()), samples)
         painter.drawPixmap(0, 0, self._backdrop)

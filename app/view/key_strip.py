@@ -172,13 +172,13 @@ class KeyStrip(QWidget):
     def _tip(self, place: QPointF) -> str:
         sequence, shape, step = self._sequence, self.places.tile_at(place), self.places.step_at(place)
         if shape is not None:
-            polygon = sequence.shapes[shape]
-            size = COUNTS.vertices(len(polygon)) if polygon is not None else self.tr("empty")
+            count = sum(map(len, sequence.shapes[shape].rings))
+            size = COUNTS.vertices(count) if count else self.tr("empty")
             text = self.tr("Shape {letter}, {size}. Drag it to move it to another place.")
             return text.format(letter=letter(shape), size=size)
         if step is not None:
             text = self.tr("{letters}, {marks}. Click to show them on the canvases.")
-            marks = COUNTS.marks(len(sequence.marks[step]))
+            marks = COUNTS.marks(sum(len(link.marks) for link in sequence.steps[step].links))
             return text.format(letters=words.step_letters(step), marks=marks)
         return self.tr("Add a shape") if self.places.addition.contains(place) else ""
 

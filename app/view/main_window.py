@@ -28,6 +28,8 @@ from app.view.marks_table import MarksPanel
 from app.view.menus import fill_menu_bar, layers_menu, methods_menu, tool_bar, tool_palette
 from app.view.options import SWITCHES, OptionsBar
 from app.view.panels import Panels
+from app.view.partnering import Partnering
+from app.view.parts_list import PartsPanel
 from app.view.player import Player
 from app.view.project_menus import ExamplesMenu, RecentMenu
 from app.view.remembered import remember_theme
@@ -54,6 +56,7 @@ class MainWindow(QMainWindow):
         self.canvases: dict[Side, Canvas] = {side: Canvas(session, side, self.display) for side in SIDES}
         self.edits = Edits(self, session, self.canvases)
         self.sequencing = Sequencing(self, session, self.player)
+        self.partnering = Partnering(self, session)
         self.backgrounds = Backgrounds(self, session, self.canvases)
         self.convenience = Convenience(self, session)
         self.actions_table = Actions(self, self._handlers())
@@ -79,7 +82,10 @@ class MainWindow(QMainWindow):
         self.beginning = Beginning(self.actions_table["begin"])
         self.setCentralWidget(self._body())
         self.marks = MarksPanel(session)
-        self._marks_dock = self._dock(self.marks)
+        self._marks_dock = self._dock(self.marks, self.tr("Marks"), "marks")
+        self.parts = PartsPanel(session, self.partnering, self.actions_table)
+        self._parts_dock = self._dock(self.parts, self.tr("Parts"), "parts")
+        self.partnering.wanted.connect(self._parts_dock.show)
         self.convenience.begin(self.actions_table)
         self._take_drops()
         status = Status(session, self.actions_table)
@@ -135,14 +141,14 @@ class MainWindow(QMainWindow):
         for place in (self, *self.canvases.values()):
             place.installEventFilter(drops)
 
-    def _dock(self, panel: QWidget) -> QDockWidget:
-        """Give the place at the side for the table of marks; closed until it is wanted."""
-        dock = QDockWidget(self.tr("Marks"), self)
-        dock.setObjectName("marks-dock")
+    def _dock(self, panel: QWidget, title: str, name: str) -> QDockWidget:
+        """Give the place at the side for a table; closed until it is wanted, by its command."""
+        dock = QDockWidget(title, self)
+        dock.setObjectName(f"{name}-dock")
         dock.setWidget(panel)
         self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
         dock.hide()
-        dock.visibilityChanged.connect(self.actions_table["marks"].setChecked)
+        dock.visibilityChanged.connect(self.actions_table[name].setChecked)
         return dock
 
     # commands
@@ -162,6 +168,7 @@ class MainWindow(QMainWindow):
             "delete": self._delete,
             "cancel": session.cancel,
             **self.edits.handlers(),
+            **self.partnering.handlers(),
             **self.sequencing.handlers(),
             **self.convenience.handlers(),
             **self.backgrounds.handlers(),
@@ -169,6 +176,7 @@ class MainWindow(QMainWindow):
             **dict.fromkeys(SWITCHES, self._switch_snapping),
             "suggest": self._suggest_marks,
             "marks": self._show_marks,
+            "parts": self._show_parts,
             "fit": self._fit,
             "zoom-in": self._zoom_in,
             "zoom-out": self._zoom_out,
@@ -220,6 +228,13 @@ class MainWindow(QMainWindow):
         self._marks_dock.setVisible(shown)
         if shown:
             self.marks.table.setFocus()
+
+    @Slot()
+    def _show_parts(self) -> None:
+        shown = self.actions_table["parts"].isChecked()
+        self._parts_dock.setVisible(shown)
+        if shown:
+            self.parts.table.setFocus()
 
     @Slot()
     def _fit(self) -> None:
@@ -295,6 +310,7 @@ class MainWindow(QMainWindow):
         placing = session.tool.name == "picture"  # then the picture can be deleted
         self.actions_table["delete"].setEnabled(bool(session.selection) or session.tool.busy or placing)
         self.sequencing.show(self.actions_table)
+        self.partnering.show(self.actions_table)
 
     @Slot()
     def _follow_tool(self) -> None:

@@ -14,6 +14,7 @@ from app.view.player import Player
 from app.view.steering import Steering
 from app.view.theme import theme_of
 from starskel.predicates import Floats
+from starskel.sheet.words import kind_of
 
 HEADING = 20
 """Height of the line with the method's name, in pixels."""
@@ -83,7 +84,7 @@ class Panel(QWidget):
         if state.stale:
             outdated = self.tr("{verdict} (out of date)")
             return ["… " + outdated.format(verdict=text) for text in texts], theme.muted
-        glyph = "✓ " if report.simple else "≈ " if report.natural else "✕ "
+        glyph = {"simple": "✓ ", "natural": "≈ ", "harmful": "✕ "}[kind_of(report)]
         return [glyph + text for text in texts], theme.simple if report.simple else theme.refused
 
     def _tip(self, state: MethodState) -> str:

@@ -12,10 +12,10 @@ from app.view.remembered import forget_files, recent_files
 from app.view.theme import theme_of
 from app.view.thumbnail import paint_thumbnail
 from starskel.errors import StarskelError
-from starskel.files import pairs
 from starskel.files.documents import format_of
 from starskel.files.examples import example, example_names, figure_number
-from starskel.files.project import Project, read_project
+from starskel.files.project import Project
+from starskel.files.project_file import FORMAT, read_project
 
 translate = QCoreApplication.translate
 
@@ -101,7 +101,7 @@ class RecentMenu(ProjectMenu):
 
 def project_icon(project: Project, palette: QPalette) -> QIcon:
     """Give a picture of the first shape that has been drawn, in a second colour for where it is chosen."""
-    shape = next((each for each in project.shapes if each is not None), None)
+    shape = next((each for each in project.shapes if each.parts), None)
     icon = QIcon()
     theme = theme_of(palette)
     for mode, colour in (
@@ -112,7 +112,7 @@ def project_icon(project: Project, palette: QPalette) -> QIcon:
         if shape is not None:
             with painting(picture) as painter:
                 box = QRectF(0, 0, PICTURE.width(), PICTURE.height())
-                paint_thumbnail(painter, box, shape.vertices, colour)
+                paint_thumbnail(painter, box, shape, colour)
         icon.addPixmap(picture, mode)
     return icon
 
@@ -120,6 +120,6 @@ def project_icon(project: Project, palette: QPalette) -> QIcon:
 def _project(path: Path) -> Project | None:
     """Give what is in a file, for its picture; a damaged one has none, and complains when it is opened."""
     try:
-        return None if format_of(path) == pairs.FORMAT else read_project(path)
+        return read_project(path) if format_of(path) == FORMAT else None
     except StarskelError:
         return None

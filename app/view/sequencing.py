@@ -60,10 +60,10 @@ class Sequencing(QObject):
     @Slot()
     def _follow(self) -> None:
         document = self._session.document
-        if self._player.playing and not document.sequence.complete:
-            self._player.stop_at(0.0)
         steps = document.sequence.steps
         self._player.follow(tuple(Pace(step.duration, step.easing) for step in steps), document.step)
+        if self._player.playing and not document.sequence.complete:
+            self._player.stop_at(0.0)
 
     @Slot(int)
     def _come_into(self, step: int) -> None:

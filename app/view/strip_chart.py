@@ -1,7 +1,6 @@
 """Strip chart: how far each method's area and lengths stray over t, and where its frames cross themselves."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Slot
@@ -14,12 +13,9 @@ from app.view.chart_layout import LANE, ChartLayout
 from app.view.drawing import faded, layer_for, painting, pen, polygon_of
 from app.view.player import Player
 from app.view.theme import Theme, theme_of
-from app.view.verdicts import Span, crossing_spans
+from app.view.verdicts import AnyReport, Span, crossing_spans
 from starskel.predicates import Floats
 from starskel.sheet.words import percent
-
-if TYPE_CHECKING:
-    from starskel.quality import Report
 
 LEAST_RANGE = 0.05
 """The plots never magnify more than to this deviation, so that small ones look small."""
@@ -49,7 +45,7 @@ class Curve:
 
     number: int
     method: str
-    report: "Report"
+    report: AnyReport
     stale: bool
 
 

@@ -67,9 +67,9 @@ class StripPainter:
         painter.setPen(pen(colour if shown else theme.edge, 2.0 if shown else 1.0))
         painter.setBrush(QColor(theme.base))
         painter.drawRoundedRect(tile, 4, 4)
-        polygon = self._document.sequence.shapes[shape]
-        if polygon is not None:
-            paint_thumbnail(painter, tile.adjusted(18, 2, -2, -2), polygon.vertices, colour)
+        drawn = self._document.sequence.shapes[shape]
+        if drawn.parts:
+            paint_thumbnail(painter, tile.adjusted(18, 2, -2, -2), drawn, colour)
         else:
             painter.setPen(QColor(theme.muted))
             painter.drawText(

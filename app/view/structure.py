@@ -68,6 +68,14 @@ def paint_skeleton(
     painter.drawEllipse(point_of(points[skeleton.root]), 7.0, 7.0)
 
 
+def paint_tree(painter: QPainter, theme: Theme, links: Floats) -> None:
+    """Paint a meta-skeleton: links between the roots of parts, (k, 2, 2), on the screen."""
+    colour = QColor(theme.text)
+    painter.setPen(pen(colour, 2.0))
+    painter.drawLines(lines_of(links[:, 0], links[:, 1]))
+    _paint_dots(painter, links.reshape(-1, 2), colour, 6.4, Qt.PenCapStyle.RoundCap)
+
+
 def _paint_dots(painter: QPainter, places: Floats, colour: QColor, size: float, cap: Qt.PenCapStyle) -> None:
     """Paint dots in the shape of a pen's end, all at once: there may be hundreds in each frame."""
     dots = pen(colour, size)

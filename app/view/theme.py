@@ -54,10 +54,15 @@ class Theme:
         """Give the colour of a shape."""
         return QColor(self.source if side == "source" else self.target)
 
+    @property
+    def ends(self) -> tuple[str, str]:
+        """The colours of source and target."""
+        return self.source, self.target
+
     def between(self, t: float) -> QColor:
         """Give the colour of a frame, by way of a third: the mean of the two would be grey."""
         source, middle, target = (QColor(c) for c in (self.source, self.middle, self.target))
-        return _mix(source, middle, 2 * t) if t < 0.5 else _mix(middle, target, 2 * t - 1)
+        return mixed(source, middle, 2 * t) if t < 0.5 else mixed(middle, target, 2 * t - 1)
 
 
 STRONG = ("#1f5fbf", "#b3401f", "#2e7d32", "#8e3aa8", "#9a6700", "#00727a", "#c2185b", "#5d4037")
@@ -104,7 +109,7 @@ DARK = Theme(
 )
 
 
-def _mix(a: QColor, b: QColor, share: float) -> QColor:
+def mixed(a: QColor, b: QColor, share: float) -> QColor:
     channels = zip((a.redF(), a.greenF(), a.blueF()), (b.redF(), b.greenF(), b.blueF()), strict=True)
     return QColor.fromRgbF(*(x + share * (y - x) for x, y in channels))
 

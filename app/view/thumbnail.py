@@ -1,25 +1,31 @@
 """Small pictures of shapes."""
 
-from PySide6.QtCore import QRectF, Qt
+import numpy as np
+from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QPainter
 
 from app.view.camera import Camera
-from app.view.drawing import faded, pen, polygon_of
-from starskel.predicates import Floats
+from app.view.drawing import faded, pen
+from app.view.parts import paint_region, regions
+from starskel.files.key_shape import KeyShape
 
 MARGIN = 4.0
 """Pixels left free around the shape."""
 
 
-def paint_thumbnail(painter: QPainter, box: QRectF, vertices: Floats, colour: QColor) -> None:
-    """Paint a shape as large as it fits in a box."""
-    if not len(vertices):
+def paint_thumbnail(painter: QPainter, box: QRectF, shape: KeyShape, colour: QColor) -> None:
+    """Paint a shape as large as it fits in a box; parts without a colour of their own have this one."""
+    if not shape.parts:
         return
-    camera = Camera().resized(box.width(), box.height()).fitting(vertices, MARGIN)
+    rings = [ring.vertices for ring in shape.rings]
+    camera = Camera().resized(box.width(), box.height()).fitting(np.concatenate(rings), MARGIN)
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.translate(box.topLeft())
-    painter.setPen(pen(colour, 1.2))
-    painter.setBrush(faded(colour, 0.3))
-    painter.drawPolygon(polygon_of(camera.to_screen(vertices)), Qt.FillRule.WindingFill)
+    for outline, holes in regions(shape.shape.outer, [part.visible for part in shape.parts]):
+        own = QColor(shape.parts[outline].colour or colour)
+        painter.setPen(pen(own, 1.2))
+        painter.setBrush(faded(own, 0.3))
+        around, *inside = (camera.to_screen(rings[k]) for k in (outline, *holes))
+        paint_region(painter, around, inside)
     painter.restore()

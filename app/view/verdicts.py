@@ -1,38 +1,47 @@
 """What a report says, in a few words and in many, and where over t its blend crosses itself."""
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias, Union
 
 import numpy as np
 from PySide6.QtCore import QCoreApplication
 
 from app.view.words import figure
-from starskel.sheet.words import crossing_words, percent, spans
+from starskel.sheet.words import crossing_words, kind_of, percent, spans
 
 if TYPE_CHECKING:
-    from starskel.quality import Report
+    from starskel.quality import Report, ShapeReport
 
 translate = QCoreApplication.translate
+
+AnyReport: TypeAlias = Union["Report", "ShapeReport"]
 
 HARDLY = 1e-6
 """Moments nearer to each other count as one."""
 
 
-def summaries(report: "Report") -> tuple[str, ...]:
+def summaries(report: "AnyReport") -> tuple[str, ...]:
     """Give the verdict in a line that stands above a frame, and in shorter ones where there is less room."""
     area = figure(percent(report.area_deviation))
-    if report.simple:
+    kind = kind_of(report)
+    if kind == "simple":
         return (
             translate("Verdict", "simple, area {area}").format(area=area),
             translate("Verdict", "simple"),
         )
-    if report.natural:
+    if kind == "natural":
         return (
             translate("Verdict", "natural crossing, area {area}").format(area=area),
             translate("Verdict", "natural crossing"),
             translate("Verdict", "natural"),
         )
     first = figure(f"{report.crossing_times[0]:.2f}".removeprefix("0"))
+    if report.of == "shape" and not report.crosses.any():
+        return (
+            translate("Verdict", "holes stray at t = {t}, area {area}").format(t=first, area=area),
+            translate("Verdict", "holes stray at t = {t}").format(t=first),
+            translate("Verdict", "holes stray"),
+        )
     return (
         translate("Verdict", "crosses at t = {t}, area {area}").format(t=first, area=area),
         translate("Verdict", "crosses at t = {t}").format(t=first),
@@ -40,25 +49,47 @@ def summaries(report: "Report") -> tuple[str, ...]:
     )
 
 
-def details(report: "Report") -> str:
+def details(report: "AnyReport") -> str:
     """Give all figures, a line each."""
-    times = report.times.tolist()
+    drift = figure(percent(report.area_deviation)), figure(percent(report.length_deviation))
     lines = [
-        *_crossings(report),
-        translate("Verdict", "Area drifts by up to {p}.").format(p=figure(percent(report.area_deviation))),
-        translate("Verdict", "Edge lengths drift by {p} on average.").format(
-            p=figure(percent(report.length_deviation))
-        ),
-        translate("Verdict", "Turning angles drift by {a} degrees on average.").format(
-            a=figure(f"{np.degrees(report.angle_deviation):.1f}")
-        ),
+        *(_shape_crossings(report) if report.of == "shape" else _crossings(report)),
+        translate("Verdict", "Area drifts by up to {p}.").format(p=drift[0]),
+        translate("Verdict", "Edge lengths drift by {p} on average.").format(p=drift[1]),
     ]
+    if report.of != "shape":
+        lines += _angles(report)
+    return "\n".join(lines)
+
+
+def _angles(report: "Report") -> list[str]:
+    angle = figure(f"{np.degrees(report.angle_deviation):.1f}")
+    lines = [translate("Verdict", "Turning angles drift by {a} degrees on average.").format(a=angle)]
     if report.negative_lengths:
-        negative = figure(spans(times, report.negative_lengths))
+        negative = figure(spans(report.times.tolist(), report.negative_lengths))
         lines.append(
             translate("Verdict", "Some edge has a negative length at t = {times}.").format(times=negative)
         )
-    return "\n".join(lines)
+    return lines
+
+
+def _shape_crossings(report: "ShapeReport") -> list[str]:
+    times, crossing = report.times.tolist(), np.flatnonzero(report.crosses.any(axis=1)).tolist()
+    straying = np.flatnonzero(report.strays.any(axis=1)).tolist()
+    lines = [
+        text.format(times=figure(spans(times, frames)))
+        for text, frames in (
+            (translate("Verdict", "Parts cross themselves at t = {times}."), crossing),
+            (translate("Verdict", "Holes are not inside their part at t = {times}."), straying),
+        )
+        if frames
+    ]
+    if not lines:
+        lines.append(translate("Verdict", "No part crosses itself, and holes stay inside."))
+    if report.overlap > HARDLY:
+        overlap = figure(percent(report.overlap))
+        lines.append(translate("Verdict", "Parts overlap by {p} more than at the ends.").format(p=overlap))
+    return lines
 
 
 def _crossings(report: "Report") -> list[str]:
@@ -93,9 +124,12 @@ def _certificate(report: "Report") -> list[str]:
     return lines
 
 
-def crosses_at(report: "Report", t: float) -> bool:
-    """Tell whether the frame that was measured nearest to t crosses itself."""
-    return bool(report.crosses[round(t * (len(report.times) - 1))])
+def crossing_rings(report: "AnyReport", t: float) -> frozenset[int]:
+    """Give the rings that in the frame measured nearest to t cross themselves, or are holes astray."""
+    frame = round(t * (len(report.times) - 1))
+    if report.of == "shape":
+        return frozenset(np.flatnonzero(report.crosses[frame] | report.strays[frame]).tolist())
+    return frozenset([0] if report.crosses[frame] else [])
 
 
 class Span(NamedTuple):
@@ -106,8 +140,11 @@ class Span(NamedTuple):
     natural: bool
 
 
-def crossing_spans(report: "Report") -> list[Span]:
+def crossing_spans(report: "AnyReport") -> list[Span]:
     """Give the stretches of crossing frames, naturally crossing ones apart from others."""
+    if report.of == "shape":
+        runs = _runs(report.crossing_frames)
+        return [Span(float(report.times[run[0]]), float(report.times[run[-1]]), False) for run in runs]
     spans = [
         Span(float(report.times[run[0]]), float(report.times[run[-1]]), natural)
         for natural, frames in ((True, report.natural_frames), (False, report.harmful_frames))
@@ -127,7 +164,7 @@ def _runs(frames: Sequence[int]) -> list[list[int]]:
     return runs
 
 
-def next_crossing(reports: "Iterable[Report]", t: float) -> float | None:
+def next_crossing(reports: "Iterable[AnyReport]", t: float) -> float | None:
     """Give the next moment after t when one of the blends begins to cross itself, or else the first."""
     starts = sorted({span.start for report in reports for span in crossing_spans(report)})
     later = [start for start in starts if start > t + HARDLY]

@@ -6,6 +6,7 @@ from app.model.document import Document
 from app.model.marks import Side, witness
 from starskel.correspondence.marks import Mark
 from starskel.errors import InvalidMarks, InvalidPolygon, StarskelError, Told
+from starskel.files.key_shape import Part
 from starskel.files.project import letter
 
 translate = QCoreApplication.translate
@@ -89,6 +90,32 @@ def invitation(document: Document, side_name: Side) -> str:
     if side_name == "source":
         return translate("Canvas", "Draw the source shape here")
     return translate("Canvas", "Draw the target shape here")
+
+
+def part(given: Part, number: int) -> str:
+    """Give what a part is called: its name, or its number in its shape."""
+    return given.name or translate("Part", "Part {number}").format(number=number + 1)
+
+
+def no_partner(side_name: Side) -> str:
+    """Say what becomes of a part that has no partner on this side."""
+    return translate("Part", "from a point") if side_name == "source" else translate("Part", "to a point")
+
+
+def new_part(side_name: Side) -> str:
+    """Ask for a new part on a canvas that has others."""
+    if side_name == "source":
+        return translate("Canvas", "Draw the new part here")
+    return translate("Canvas", "Draw its partner here, or leave it to grow from a point")
+
+
+def growth(side_name: Side) -> str:
+    """Say what a part does at its place on this side, where it has no partner."""
+    return (
+        translate("Part", "grows from here")
+        if side_name == "source"
+        else translate("Part", "shrinks to here")
+    )
 
 
 def side(name: Side) -> str:

@@ -28,6 +28,14 @@
         <translation>lassen Sie ihn länger dauern</translation>
     </message>
     <message>
+        <source>the links name parts that are not there, or leave some out</source>
+        <translation>die Verknüpfungen nennen Teile, die es nicht gibt, oder lassen welche aus</translation>
+    </message>
+    <message>
+        <source>give each part a partner, or null where it has none</source>
+        <translation>jedem Teil einen Partner geben, oder null, wo es keinen hat</translation>
+    </message>
+    <message>
         <source>there are marks, but not both shapes</source>
         <translation>es gibt Marken, aber nicht beide Formen</translation>
     </message>
@@ -292,6 +300,14 @@
         <translation>zeichnen Sie sie im Editor und speichern Sie</translation>
     </message>
     <message>
+        <source>{name} is of several polygons, and two polygons are wanted here</source>
+        <translation>{name} besteht aus mehreren Polygonen, hier werden zwei Polygone gebraucht</translation>
+    </message>
+    <message>
+        <source>take a pair of two polygons; starskel render takes several</source>
+        <translation>ein Paar aus zwei Polygonen nehmen; starskel render nimmt mehrere</translation>
+    </message>
+    <message>
         <source>{path}: shape {letter}</source>
         <translation>{path}: Form {letter}</translation>
     </message>
@@ -324,16 +340,12 @@
         <translation>geben Sie für jede Form eine an, null, wo keine ist</translation>
     </message>
     <message>
+        <source>{where}, part {number}</source>
+        <translation>{where}, Teil {number}</translation>
+    </message>
+    <message>
         <source>{path}: step {first}-{last}</source>
         <translation>{path}: Schritt {first}-{last}</translation>
-    </message>
-    <message>
-        <source>{where} has marks, but not both shapes</source>
-        <translation>{where} hat Marken, aber nicht beide Formen</translation>
-    </message>
-    <message>
-        <source>add the shape or remove the marks</source>
-        <translation>fügen Sie die Form hinzu, oder entfernen Sie die Marken</translation>
     </message>
     <message>
         <source>the points are not numbers</source>
@@ -769,6 +781,14 @@
         <translation>Zeichnen Sie hier das Ziel</translation>
     </message>
     <message>
+        <source>Draw the new part here</source>
+        <translation>Hier das neue Teil zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw its partner here, or leave it to grow from a point</source>
+        <translation>Hier seinen Partner zeichnen, oder es bei einem Punkt lassen</translation>
+    </message>
+    <message>
         <source>Click to set each vertex; click the first one again to close.</source>
         <translation>Jeder Klick setzt einen Eckpunkt; ein Klick auf den ersten schließt die Form.</translation>
     </message>
@@ -957,6 +977,10 @@
     <message>
         <source>De&amp;utsch</source>
         <translation>De&amp;utsch</translation>
+    </message>
+    <message>
+        <source>&amp;Parts</source>
+        <translation>&amp;Teile</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -1418,6 +1442,126 @@
         <source>What the program is, and its versions</source>
         <translation>Was das Programm ist, und seine Versionen</translation>
     </message>
+    <message>
+        <source>&amp;Add Part</source>
+        <translation>Teil &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>Draw one more polygon of the shape; inside another one it is a hole</source>
+        <translation>Ein weiteres Polygon der Form zeichnen; in einem anderen ist es ein Loch</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Part</source>
+        <translation>Teil &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Take the part worked on away from both shapes</source>
+        <translation>Das bearbeitete Teil aus beiden Formen nehmen</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious Part</source>
+        <translation>&amp;Voriges Teil</translation>
+    </message>
+    <message>
+        <source>Work on the part before in the list</source>
+        <translation>Das vorige Teil der Liste bearbeiten</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt Part</source>
+        <translation>&amp;Nächstes Teil</translation>
+    </message>
+    <message>
+        <source>Work on the next part of the list</source>
+        <translation>Das nächste Teil der Liste bearbeiten</translation>
+    </message>
+    <message>
+        <source>Bring &amp;Forward</source>
+        <translation>Nach vo&amp;rn</translation>
+    </message>
+    <message>
+        <source>Paint the part over the next one</source>
+        <translation>Das Teil über das nächste malen</translation>
+    </message>
+    <message>
+        <source>Send &amp;Backward</source>
+        <translation>Nach h&amp;inten</translation>
+    </message>
+    <message>
+        <source>Paint the part under the one before</source>
+        <translation>Das Teil unter das vorige malen</translation>
+    </message>
+    <message>
+        <source>&amp;Show Part</source>
+        <translation>Teil an&amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Show the part or hide it, on the canvases and in the frames</source>
+        <translation>Das Teil auf den Flächen und in den Bildern zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>&amp;Colour of Part…</source>
+        <translation>&amp;Farbe des Teils…</translation>
+    </message>
+    <message>
+        <source>Choose a colour for the part</source>
+        <translation>Eine Farbe für das Teil wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Usual Colour</source>
+        <translation>&amp;Übliche Farbe</translation>
+    </message>
+    <message>
+        <source>Give the part the colour that shapes usually have</source>
+        <translation>Dem Teil die Farbe geben, die Formen sonst haben</translation>
+    </message>
+    <message>
+        <source>Leave Wit&amp;hout Partner</source>
+        <translation>Ohne Partner l&amp;assen</translation>
+    </message>
+    <message>
+        <source>Let the part shrink to a point, and its partner grow from one</source>
+        <translation>Das Teil zu einem Punkt schrumpfen und seinen Partner aus einem wachsen lassen</translation>
+    </message>
+    <message>
+        <source>&amp;Place of Growth</source>
+        <translation>&amp;Ort des Wachsens</translation>
+    </message>
+    <message>
+        <source>Choose where a part without a partner grows from, or shrinks to</source>
+        <translation>Wählen, woraus ein Teil ohne Partner wächst oder wohin es schrumpft</translation>
+    </message>
+    <message>
+        <source>Usual Place of Gro&amp;wth</source>
+        <translation>Ü&amp;blicher Ort des Wachsens</translation>
+    </message>
+    <message>
+        <source>Leave it to the program where the part grows from, or shrinks to</source>
+        <translation>Dem Programm überlassen, woraus das Teil wächst oder wohin es schrumpft</translation>
+    </message>
+    <message>
+        <source>Suggest Pairin&amp;g</source>
+        <translation>&amp;Partner vorschlagen</translation>
+    </message>
+    <message>
+        <source>Let parts become those that fit them best in size and place</source>
+        <translation>Teile zu denen werden lassen, die in Größe und Lage am besten passen</translation>
+    </message>
+    <message>
+        <source>Move &amp;Together</source>
+        <translation>&amp;Gemeinsam bewegen</translation>
+    </message>
+    <message>
+        <source>Let the parts move together, instead of each by itself</source>
+        <translation>Die Teile gemeinsam bewegen statt jedes für sich</translation>
+    </message>
+    <message>
+        <source>Parts &amp;List</source>
+        <translation>&amp;Liste der Teile</translation>
+    </message>
+    <message>
+        <source>Show the list of parts and what becomes of them</source>
+        <translation>Die Liste der Teile zeigen und was aus ihnen wird</translation>
+    </message>
 </context>
 <context>
     <name>Convenience</name>
@@ -1826,8 +1970,8 @@
         <translation>Den letzten Schritt oben in den Optionen anpassen oder weiterarbeiten.</translation>
     </message>
     <message>
-        <source>Click to set the first vertex; the new shape replaces the one on its canvas.</source>
-        <translation>Ein Klick setzt den ersten Eckpunkt; die neue Form ersetzt die auf ihrer Fläche.</translation>
+        <source>Click to set the first vertex; the new shape takes the place of the one worked on.</source>
+        <translation>Klicken setzt die erste Ecke; die neue Form tritt an die Stelle der bearbeiteten.</translation>
     </message>
     <message>
         <source>Click adds a vertex; the first vertex or Enter closes. Backspace takes one back, Esc cancels.</source>
@@ -1901,6 +2045,10 @@
         <source>Release to leave the picture here; Esc puts it back.</source>
         <translation>Loslassen lässt die Vorlage hier; Esc stellt sie zurück.</translation>
     </message>
+    <message>
+        <source>Click where the part without a partner grows from or shrinks to, on the canvas without it.</source>
+        <translation>Auf der Fläche ohne das Teil dorthin klicken, woraus es wächst oder wohin es schrumpft.</translation>
+    </message>
 </context>
 <context>
     <name>HistoryList</name>
@@ -1952,6 +2100,10 @@
     <message>
         <source>Marks</source>
         <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
     </message>
     <message>
         <source>The language changes with the next start.</source>
@@ -2203,6 +2355,69 @@
     <message>
         <source>Cancelled. F5 computes it again.</source>
         <translation>Abgebrochen. F5 berechnet es neu.</translation>
+    </message>
+</context>
+<context>
+    <name>Part</name>
+    <message>
+        <source>Part {number}</source>
+        <translation>Teil {number}</translation>
+    </message>
+    <message>
+        <source>from a point</source>
+        <translation>aus einem Punkt</translation>
+    </message>
+    <message>
+        <source>to a point</source>
+        <translation>zu einem Punkt</translation>
+    </message>
+    <message>
+        <source>grows from here</source>
+        <translation>wächst von hier</translation>
+    </message>
+    <message>
+        <source>shrinks to here</source>
+        <translation>schrumpft hierher</translation>
+    </message>
+</context>
+<context>
+    <name>Partnering</name>
+    <message>
+        <source>Colour of the part</source>
+        <translation>Farbe des Teils</translation>
+    </message>
+</context>
+<context>
+    <name>PartsModel</name>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Tick to show it, double-click to rename it, drag to change what is painted first</source>
+        <translation>Anhaken zeigt es, Doppelklick benennt es um, Ziehen ändert die Reihenfolge des Malens</translation>
+    </message>
+    <message>
+        <source>This part has no partner: drag one here</source>
+        <translation>Dieses Teil hat keinen Partner: einen hierher ziehen</translation>
+    </message>
+    <message>
+        <source>Drag it onto another row to pair it there; with Control pressed it is paired besides</source>
+        <translation>Auf eine andere Zeile ziehen, um es dort zu paaren; mit Strg kommt es zu dem Partner dort hinzu</translation>
+    </message>
+</context>
+<context>
+    <name>PartsPanel</name>
+    <message>
+        <source>Drag a source or a target onto another row to pair it there; Enter lets you choose a partner.</source>
+        <translation>Quelle oder Ziel auf eine andere Zeile ziehen, um sie dort zu paaren; Enter lässt einen Partner wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>PartsTable</name>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
     </message>
 </context>
 <context>
@@ -2540,6 +2755,62 @@
         <source>Take the usual root</source>
         <translation>Übliche Wurzel nehmen</translation>
     </message>
+    <message>
+        <source>Set place of growth</source>
+        <translation>Ort des Wachsens setzen</translation>
+    </message>
+    <message>
+        <source>Rename part</source>
+        <translation>Teil umbenennen</translation>
+    </message>
+    <message>
+        <source>Show part</source>
+        <translation>Teil zeigen</translation>
+    </message>
+    <message>
+        <source>Hide part</source>
+        <translation>Teil verbergen</translation>
+    </message>
+    <message>
+        <source>Split part</source>
+        <translation>Teil aufteilen</translation>
+    </message>
+    <message>
+        <source>Pair parts</source>
+        <translation>Teile paaren</translation>
+    </message>
+    <message>
+        <source>Leave without partner</source>
+        <translation>Ohne Partner lassen</translation>
+    </message>
+    <message>
+        <source>Reorder parts</source>
+        <translation>Teile umordnen</translation>
+    </message>
+    <message>
+        <source>Remove part</source>
+        <translation>Teil entfernen</translation>
+    </message>
+    <message>
+        <source>Colour part</source>
+        <translation>Teil färben</translation>
+    </message>
+    <message>
+        <source>Take the usual place of growth</source>
+        <translation>Üblichen Ort des Wachsens nehmen</translation>
+    </message>
+    <message>
+        <source>Suggest pairing</source>
+        <translation>Partner vorschlagen</translation>
+    </message>
+    <message>
+        <source>Move together</source>
+        <translation>Gemeinsam bewegen</translation>
+    </message>
+    <message>
+        <source>Move separately</source>
+        <translation>Getrennt bewegen</translation>
+    </message>
 </context>
 <context>
     <name>Strip</name>
@@ -2666,6 +2937,18 @@
         <translation>natürlich</translation>
     </message>
     <message>
+        <source>holes stray at t = {t}, area {area}</source>
+        <translation>Löcher verirren sich bei t = {t}, Fläche {area}</translation>
+    </message>
+    <message>
+        <source>holes stray at t = {t}</source>
+        <translation>Löcher verirren sich bei t = {t}</translation>
+    </message>
+    <message>
+        <source>holes stray</source>
+        <translation>Löcher verirrt</translation>
+    </message>
+    <message>
         <source>crosses at t = {t}, area {area}</source>
         <translation>kreuzt sich bei t = {t}, Fläche {area}</translation>
     </message>
@@ -2692,6 +2975,22 @@
     <message>
         <source>Some edge has a negative length at t = {times}.</source>
         <translation>Bei t = {times} hat eine Kante negative Länge.</translation>
+    </message>
+    <message>
+        <source>Parts cross themselves at t = {times}.</source>
+        <translation>Teile überkreuzen sich selbst bei t = {times}.</translation>
+    </message>
+    <message>
+        <source>Holes are not inside their part at t = {times}.</source>
+        <translation>Löcher liegen nicht in ihrem Teil bei t = {times}.</translation>
+    </message>
+    <message>
+        <source>No part crosses itself, and holes stay inside.</source>
+        <translation>Kein Teil überkreuzt sich, und Löcher bleiben innen.</translation>
+    </message>
+    <message>
+        <source>Parts overlap by {p} more than at the ends.</source>
+        <translation>Teile überlappen sich um {p} mehr als an den Enden.</translation>
     </message>
     <message>
         <source>Never crosses itself: proven for every t.</source>

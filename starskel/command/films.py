@@ -1,16 +1,17 @@
 """From the name of a file to what is to be drawn of it: the ways of all methods through its steps."""
 
 from argparse import Namespace
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
+from starskel.blending.frames import Blend
 from starskel.command.methods import blends
 from starskel.command.opening import Opened, chosen_id, opened
-from starskel.command.shapes import shape_tracks
-from starskel.errors import InvalidFile
+from starskel.command.shapes import Way, shape_blends, ways_of
 from starskel.export.film import Scene, Track
-from starskel.files import multi_pairs
-from starskel.files.documents import format_of
+from starskel.files.multi_pairs import MultiPair
+from starskel.files.project import AnyPair
 from starskel.quality import measure
+from starskel.shapes.shape_blend import ShapeBlend
 
 
 def opened_film(
@@ -31,24 +32,32 @@ def opened_film(
     StarskelError
         If the file is invalid, or holds no such pair, or it cannot be blended.
     """
-    if format_of(arguments.file) == multi_pairs.FORMAT:
-        return shape_tracks(arguments, methods, measured=measured)
-    if arguments.separate:
-        raise InvalidFile(f"{arguments.file} holds no shapes of several polygons", "leave out --separate")
     file = opened(arguments.file, arguments.step)
     if file.steps and arguments.id is None:
-        return file.name if len(file.ids) > 1 else file.ids[0], _tracks(file, file.ids, methods, measured)
+        name = file.name if len(file.ids) > 1 else file.ids[0]
+        return name, _tracks(arguments, file, file.ids, methods, measured)
     pair_id = chosen_id(arguments.file, file.ids, arguments.id)
-    return pair_id, _tracks(file, [pair_id], methods, measured)
+    return pair_id, _tracks(arguments, file, [pair_id], methods, measured)
 
 
-def _tracks(file: Opened, ids: Sequence[str], methods: Sequence[str], measured: bool) -> tuple[Track, ...]:
-    scenes: dict[str, list[Scene]] = {method: [] for method in methods}
-    for pair_id in ids:
-        for method, blend in blends(file.pair(pair_id), methods):
+def _tracks(
+    arguments: Namespace, file: Opened, ids: Sequence[str], methods: Sequence[str], measured: bool
+) -> tuple[Track, ...]:
+    pairs = {pair_id: file.pair(pair_id) for pair_id in ids}
+    ways = ways_of(arguments, list(pairs.values()), methods, measured=measured)
+    scenes: dict[str, list[Scene]] = {way.name: [] for way in ways}
+    for pair_id, pair in pairs.items():
+        for name, blend in _blends(pair, ways):
             report = measure(blend) if measured else None
-            scenes[method].append(_scene(file, pair_id, Scene(blend, report)))
-    return tuple(Track(method, tuple(own)) for method, own in scenes.items())
+            scenes[name].append(_scene(file, pair_id, Scene(blend, report)))
+    return tuple(Track(name, tuple(own)) for name, own in scenes.items())
+
+
+def _blends(pair: AnyPair, ways: Sequence[Way]) -> Iterator[tuple[str, Blend | ShapeBlend]]:
+    if isinstance(pair, MultiPair):
+        yield from shape_blends(pair, ways)
+    else:
+        yield from blends(pair, [way.method for way in ways])
 
 
 def _scene(file: Opened, pair_id: str, scene: Scene) -> Scene:

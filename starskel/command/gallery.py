@@ -19,6 +19,7 @@ from starskel.files.disk import made_folder, write_bytes
 from starskel.files.examples import example_names, resource_folder
 from starskel.files.gallery import Exhibit, gallery_page
 from starskel.files.pairs import ShapePair
+from starskel.files.project import of_polygons
 from starskel.quality import Report, measure
 from starskel.sheet.comparison import Row, comparison_sheet
 from starskel.sheet.keyframe import keyframes
@@ -34,7 +35,7 @@ def run(arguments: Namespace) -> int:
     with Progress("") as progress:
         for number, (path, file, pair_id) in enumerate(found):
             try:
-                pair = file.pair(pair_id)
+                pair = of_polygons(file.pair(pair_id))
                 share = number / len(found), 1 / len(found)
                 exhibit = _exhibit(pair, arguments, progress, share, {e.name for e in exhibits})
             except StarskelError as error:

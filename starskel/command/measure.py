@@ -14,6 +14,7 @@ from starskel.command.methods import blends
 from starskel.command.opening import Opened, named, opened
 from starskel.errors import StarskelError
 from starskel.files.documents import document_text
+from starskel.files.project import of_polygons
 from starskel.quality import Distortion, Report, measure
 from starskel.sheet.words import crossing_counts, percent
 
@@ -131,7 +132,7 @@ def _ids(file: Opened, asked: Sequence[str] | None) -> Sequence[str]:
 def _measured(
     file: Opened, pair_id: str, methods: Sequence[str], frames: int
 ) -> Iterator[tuple[Figures, Report]]:
-    for method, blend in blends(file.pair(pair_id), methods):
+    for method, blend in blends(of_polygons(file.pair(pair_id)), methods):
         report = measure(blend, frames)
         yield Figures.of(pair_id, method, len(blend.pair), report), report
 

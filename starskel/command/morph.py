@@ -13,10 +13,10 @@ from starskel.command.progress import Progress
 from starskel.easing import EVEN, Easing
 from starskel.errors import InvalidFile, either
 from starskel.export.settings import even_times
-from starskel.files import image_pairs, project
+from starskel.files import image_pairs, project_file
 from starskel.files.documents import check_format
 from starskel.files.image_pairs import ImagePair, of_project, read_image_pairs
-from starskel.files.project import read_project
+from starskel.files.project_file import read_project
 from starskel.files.raster import MOVING, write_animation, write_image
 from starskel.files.video import VIDEO, write_video
 from starskel.images.morph import ImageMorph, smooth
@@ -51,7 +51,7 @@ def run(arguments: Namespace) -> int:
 def _opened(arguments: Namespace) -> tuple[ImagePair, Easing]:
     """Give the pair that the words mean, and how its frames follow each other."""
     path: Path = arguments.file
-    if check_format(path, image_pairs.FORMAT, project.FORMAT) == image_pairs.FORMAT:
+    if check_format(path, image_pairs.FORMAT, project_file.FORMAT) == image_pairs.FORMAT:
         if arguments.step is not None:
             raise InvalidFile(f"{path} is no project and has no steps", "choose a pair: --id ID")
         file = read_image_pairs(path)

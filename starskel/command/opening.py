@@ -6,10 +6,12 @@ from itertools import pairwise
 from pathlib import Path
 
 from starskel.errors import InvalidFile, StarskelError
-from starskel.files import pairs, project
+from starskel.files import multi_pairs, pairs, project_file
 from starskel.files.documents import check_format
-from starskel.files.pairs import ShapePair, read_pairs
-from starskel.files.project import letter, read_project
+from starskel.files.multi_pairs import read_multi_pairs
+from starskel.files.pairs import read_pairs
+from starskel.files.project import AnyPair, letter
+from starskel.files.project_file import read_project
 from starskel.files.step import Step
 
 
@@ -32,7 +34,7 @@ class Opened:
     """
 
     ids: tuple[str, ...]
-    pair: Callable[[str], ShapePair]
+    pair: Callable[[str], AnyPair]
     name: str = ""
     steps: tuple[Step, ...] = ()
     first: int = 0
@@ -44,7 +46,7 @@ class Opened:
 
 
 def opened(path: Path, step: int | None = None) -> Opened:
-    """Open a file of pairs or a project, each step of which is a pair.
+    """Open a file of pairs, of polygons or of shapes, or a project, each step of which is a pair.
 
     Parameters
     ----------
@@ -56,14 +58,18 @@ def opened(path: Path, step: int | None = None) -> Opened:
     Raises
     ------
     InvalidFile
-        If it is neither, or cannot be read, or has no such step.
+        If it is none of these, or cannot be read, or has no such step.
     """
-    if check_format(path, pairs.FORMAT, project.FORMAT) == project.FORMAT:
+    found = check_format(path, pairs.FORMAT, multi_pairs.FORMAT, project_file.FORMAT)
+    if found == project_file.FORMAT:
         return _steps(path, step)
     if step is not None:
         raise InvalidFile(f"{path} is no project and has no steps", "choose a pair: --id ID")
-    file = read_pairs(path)
-    return Opened(file.ids, file.pair)
+    if found == multi_pairs.FORMAT:
+        shapes = read_multi_pairs(path)
+        return Opened(shapes.ids, shapes.pair)
+    polygons = read_pairs(path)
+    return Opened(polygons.ids, polygons.pair)
 
 
 def chosen_id(path: Path, ids: Sequence[str], asked: str | None) -> str:
@@ -93,7 +99,7 @@ def _steps(path: Path, step: int | None) -> Opened:
     if step is not None and not 1 <= step <= len(names):
         raise InvalidFile(f"{path} has no step {step}", f"give a step from 1 to {len(names)}")
 
-    def pair(name: str) -> ShapePair:
+    def pair(name: str) -> AnyPair:
         if name not in names:
             raise InvalidFile(f'{path} has no step "{name}"', "choose one of " + ", ".join(names))
         try:
@@ -101,7 +107,7 @@ def _steps(path: Path, step: int | None) -> Opened:
         except InvalidFile as error:
             raise InvalidFile(f"{path}: {error.what}", error.mend) from error
 
-    if all(None in shapes for shapes in pairwise(document.shapes)):
+    if not any(one.parts and two.parts for one, two in pairwise(document.shapes)):
         pair(names[0])  # raises: nothing in the file can be blended
     own = slice(None) if step is None else slice(step - 1, step)
     first = 0 if step is None else step - 1

@@ -1,50 +1,55 @@
-"""What render does with files of pairs of shapes."""
+"""What render does with shapes of several polygons."""
 
 from argparse import Namespace
 from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
-from starskel.command.opening import chosen_id
 from starskel.command.progress import Progress
 from starskel.errors import InvalidFile
-from starskel.export.film import Scene, Track
-from starskel.files.multi_pairs import MultiPair, read_multi_pairs
-from starskel.quality import measure
+from starskel.files.multi_pairs import MultiPair
+from starskel.files.project import AnyPair
 from starskel.shapes.blend import blend
 from starskel.shapes.match import match
 from starskel.shapes.shape_blend import ShapeBlend
 
 
-def shape_tracks(
-    arguments: Namespace, methods: Sequence[str], *, measured: bool
-) -> tuple[str, tuple[Track, ...]]:
-    """Blend the shapes by every method; a sheet of all shows the first also part by part."""
-    pair = _chosen(arguments)
-    ways = [(method, method, not arguments.separate) for method in methods]
-    if measured:
-        ways.append(("parts separately", methods[0], False))
-    tracks = []
-    for name, made in _blends(pair, ways):
-        report = measure(made) if measured else None
-        tracks.append(Track(name, (Scene(made, report),)))
-    return pair.id, tuple(tracks)
+class Way(NamedTuple):
+    """A way to blend: what it is called, the method, and whether a meta-skeleton joins the parts."""
+
+    name: str
+    method: str
+    joined: bool = True
 
 
-def _chosen(arguments: Namespace) -> MultiPair:
-    if arguments.marks or arguments.pieces:
+def ways_of(
+    arguments: Namespace, pairs: Sequence[AnyPair], methods: Sequence[str], *, measured: bool
+) -> list[Way]:
+    """Give a way for every method; a sheet of shapes shows the first also part by part.
+
+    Raises
+    ------
+    InvalidFile
+        If the options do not go with what is blended.
+    """
+    shapes = [pair for pair in pairs if isinstance(pair, MultiPair)]
+    if arguments.separate and not shapes:
+        raise InvalidFile(f"{arguments.file} holds no shapes of several polygons", "leave out --separate")
+    if shapes and (arguments.marks or arguments.pieces):
         raise InvalidFile(
             f"{arguments.file} holds shapes of several polygons, on which marks and pieces are not drawn",
             "leave out --marks and --pieces",
         )
-    if arguments.step is not None:
-        raise InvalidFile(f"{arguments.file} is no project and has no steps", "choose a pair: --id ID")
-    file = read_multi_pairs(arguments.file)
-    return file.pair(chosen_id(arguments.file, file.ids, arguments.id))
+    ways = [Way(method, method, not arguments.separate) for method in methods]
+    if measured and shapes and len(pairs) == 1:
+        ways.append(Way("parts separately", methods[0], False))
+    return ways
 
 
-def _blends(pair: MultiPair, ways: Sequence[tuple[str, str, bool]]) -> Iterator[tuple[str, ShapeBlend]]:
-    """Blend a pair in several ways, each a name, a method and whether a meta-skeleton joins the parts."""
+def shape_blends(pair: MultiPair, ways: Sequence[Way]) -> Iterator[tuple[str, ShapeBlend]]:
+    """Blend a pair in several ways."""
     matched = match(pair.source, pair.target, pair.marks, pairing=pair.pairing, places=pair.places)
-    for name, method, joined in ways:
-        with Progress(f"{pair.id}: {name}") as bar:
-            made = blend(matched, method=method, joined=joined, progress=bar)
-        yield name, made
+    for way in ways:
+        with Progress(f"{pair.id}: {way.name}") as bar:
+            joined = way.joined and pair.joined
+            made = blend(matched, method=way.method, joined=joined, turns=pair.turns, progress=bar)
+        yield way.name, made

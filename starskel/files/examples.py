@@ -4,7 +4,8 @@ import re
 from pathlib import Path
 
 from starskel.errors import InvalidFile
-from starskel.files.project import Project, read_project
+from starskel.files.project import Project
+from starskel.files.project_file import read_project
 
 _PACKAGE = Path(__file__).resolve().parent.parent
 

@@ -10,7 +10,7 @@ from starskel.errors import InvalidFile, told
 from starskel.files.documents import check_format, read_document
 from starskel.files.pairs import ShapePair, by_id, entry_of
 from starskel.files.picture import Picture
-from starskel.files.project import Project, letter
+from starskel.files.project import Project, letter, of_polygons
 from starskel.files.raster import image_of, read_image
 from starskel.files.shapes import Row, marked_shapes, polygon_of
 from starskel.images.placed import PlacedImage
@@ -117,9 +117,9 @@ def of_project(path: Path, project: Project, step: int) -> ImagePair:
     InvalidFile
         If a shape is missing, there is no picture at all, or one is damaged or too large.
     """
-    shapes = project.pair(step)
-    pictures = (project.pictures or (None,) * len(project.shapes))[step : step + 2]
-    if pictures == (None, None):
+    shapes = of_polygons(project.pair(step))
+    pictures = [shape.picture for shape in project.shapes[step : step + 2]]
+    if not any(pictures):
         raise InvalidFile(
             told(
                 "{path} has no picture behind shape {first} or {last}",

@@ -55,6 +55,10 @@ class MultiPair:
         For rings without a partner the point in the other shape.
     origin : str
         Where the shapes come from, and their licence.
+    joined : bool
+        Whether a meta-skeleton joins the parts, so that they move together.
+    turns : int
+        Whole turns of the whole besides, counter-clockwise.
     """
 
     id: str
@@ -63,7 +67,9 @@ class MultiPair:
     pairing: tuple[Link, ...]
     marks: tuple[tuple[Mark, ...], ...]
     places: Places
-    origin: str
+    origin: str = ""
+    joined: bool = True
+    turns: int = 0
 
 
 class MultiPairsFile:

@@ -12,9 +12,8 @@ def linear(start: Floats, end: Floats, times: Floats) -> Floats:
     return np.asarray((1 - t) * start + t * end)
 
 
-def length_deviations(rings: Floats, times: Floats) -> Floats:
-    """Give for each frame the part by which edge lengths differ in sum from their linear blend."""
-    lengths = edge_lengths(rings)
+def length_deviations(lengths: Floats, times: Floats) -> Floats:
+    """Give for each frame the part by which edge lengths, (k, n), differ in sum from the linear blend."""
     expected = linear(lengths[0], lengths[-1], times)
     return np.asarray(np.abs(lengths - expected).sum(axis=1) / expected.sum(axis=1))
 

@@ -92,7 +92,7 @@ def measure(
         kept = clearance(blend.frames(blend.key_times), task.part(0.85, 0.9))
     last = task.part(0.9, 1)
     last.reach(0)
-    lengths = length_deviations(rings, times)
+    lengths = length_deviations(edge_lengths(rings), times)
     last.reach(0.3)
     angle = angle_deviation(rings, times)
     last.reach(0.7)

@@ -1,13 +1,14 @@
 """What is known of a blend of shapes after it was measured, and the measuring."""
 
 from dataclasses import dataclass
+from typing import ClassVar, Literal
 
 import numpy as np
 import shapely
 
-from starskel.outline import Flags, cross_themselves, signed_areas
+from starskel.outline import Flags, cross_themselves, edge_lengths, signed_areas
 from starskel.predicates import Floats
-from starskel.quality.drift import linear
+from starskel.quality.drift import length_deviations, linear
 from starskel.shapes.certified import CertifiedShapeBlend
 from starskel.shapes.shape_blend import ShapeBlend
 from starskel.task import Task
@@ -31,17 +32,24 @@ class ShapeReport:
         The areas of all parts, less their holes.
     area_deviations : (k,) array
         The area over the linear blend of the two areas, less 1.
+    length_deviations : (k,) array
+        How much edge lengths differ in sum from the linear blend of the lengths, as a part of the sum of
+        these.
     overlaps : (k,) array
         How much of the parts' area lies on other parts, as a part of the mean of the areas at the ends.
     proven : bool
         Whether `simple` is known for every t: of certified blends, and where a crossing was found.
     """
 
+    of: ClassVar[Literal["shape"]] = "shape"
+    """What was blended, two shapes of several parts."""
+
     times: Floats
     crosses: Flags
     strays: Flags
     areas: Floats
     area_deviations: Floats
+    length_deviations: Floats
     overlaps: Floats
     proven: bool
 
@@ -56,6 +64,11 @@ class ShapeReport:
         return tuple(np.flatnonzero((self.crosses | self.strays).any(axis=1)).tolist())
 
     @property
+    def crossing_times(self) -> tuple[float, ...]:
+        """The times of these frames."""
+        return tuple(self.times[list(self.crossing_frames)].tolist())
+
+    @property
     def holes_inside(self) -> bool:
         """Whether no hole strays in any frame looked at."""
         return not self.strays.any()
@@ -64,6 +77,11 @@ class ShapeReport:
     def area_deviation(self) -> float:
         """The largest magnitude of the area deviations."""
         return float(np.abs(self.area_deviations).max())
+
+    @property
+    def length_deviation(self) -> float:
+        """The mean of the length deviations."""
+        return float(self.length_deviations.mean())
 
     @property
     def overlap(self) -> float:
@@ -87,12 +105,14 @@ def measure_shapes(blend: ShapeBlend, times: Floats, task: Task) -> ShapeReport:
         overlaps[k] = sum(part.area for part in parts) - shapely.union_all(parts).area
     whole = linear(areas[0], areas[-1], times)
     task.reach(1)
+    lengths = length_deviations(np.concatenate([edge_lengths(ring) for ring in rings], axis=1), times)
     return ShapeReport(
         times=times,
         crosses=crosses,
         strays=strays,
         areas=areas,
         area_deviations=areas / whole - 1,
+        length_deviations=lengths,
         overlaps=overlaps / whole.mean(),
         proven=isinstance(blend, CertifiedShapeBlend) or bool((crosses | strays).any()),
     )

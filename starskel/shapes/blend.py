@@ -196,7 +196,7 @@ def _prepare(
     bodies = []
     for number, (part, rotation) in enumerate(zip(parts, rotations.tolist(), strict=True)):
         share = task.part(0.9 * number / len(parts), 0.9 * (number + 1) / len(parts))
-        bodies.append(prepared(part, method, rotation, settled, share))
+        bodies.append(prepared(part, method, rotation, settled or method == "certified", share))
     if method == "certified":
         return CertifiedShapeBlend(pair, tuple(bodies), tree, task.part(0.9, 1))
     return ShapeBlend(pair, method, tuple(bodies), tree)

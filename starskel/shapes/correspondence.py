@@ -71,6 +71,12 @@ class ShapeCorrespondence:
     parts: tuple[PartPair, ...]
 
     @cached_property
+    def ring_pairs(self) -> tuple[Correspondence, ...]:
+        """For each pair of rings their correspondence, counter-clockwise, in the order of the pairing."""
+        known = {ring.links[0]: ring.pair for part in self.parts for ring in part.by_rings()}
+        return tuple(known[link] for link in self.pairing)
+
+    @cached_property
     def outer(self) -> tuple[int, ...]:
         """For each ring of a frame the ring that it is a hole of, -1 for outlines."""
         number = {link: k for k, link in enumerate(self.pairing)}

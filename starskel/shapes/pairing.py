@@ -6,7 +6,6 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from scipy.optimize import linear_sum_assignment
 
 from starskel.errors import InvalidMarks
 from starskel.predicates import Floats
@@ -168,6 +167,8 @@ def _assigned(
 
     Where there is an outline around, the last ring, that has to fit as well.
     """
+    from scipy.optimize import linear_sum_assignment  # noqa: PLC0415 -- it takes as long to load as a window
+
     first, second = _turned(source, target, turn)
     costs = _costs(first[:, None], second[None])
     fixed = float(costs[-1, -1]) if around else 0.0

@@ -183,4 +183,12 @@ def _check_apart(shape: Shape, first: int, second: int) -> None:
         raise InvalidPolygon(
             f"rings {first} and {second}, holes of one part, meet",
             "join them to one hole, or move them apart",
+            place=_meeting(one, two),
         )
+
+
+def _meeting(first: Polygon, second: Polygon) -> tuple[float, float] | None:
+    """Give a place where two rings meet, if their edges do."""
+    common = shapely.intersection(*(shapely.linearrings(ring.vertices) for ring in (first, second)))
+    places = shapely.get_coordinates(common).tolist()
+    return (places[0][0], places[0][1]) if places else None

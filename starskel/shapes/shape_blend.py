@@ -1,5 +1,9 @@
 """What a blend of two shapes is: all parts on their way, joined by the meta-skeleton."""
 
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
 import numpy as np
 import shapely
 from numpy.typing import ArrayLike
@@ -7,9 +11,12 @@ from numpy.typing import ArrayLike
 from starskel.blending.frames import checked_times, with_exact_ends
 from starskel.polar import as_points
 from starskel.predicates import Floats
-from starskel.shapes.body import Body
 from starskel.shapes.correspondence import ShapeCorrespondence
 from starskel.shapes.meta_skeleton import MetaSkeleton, Tree, meta_skeleton_of
+from starskel.task import Progress, ShouldStop, Task
+
+if TYPE_CHECKING:  # who shows a blend need not load what makes one
+    from starskel.shapes.body import Body
 
 
 class ShapeBlend:
@@ -27,9 +34,9 @@ class ShapeBlend:
     """
 
     def __init__(
-        self, pair: ShapeCorrespondence, method: str, bodies: tuple[Body, ...], tree: Tree | None
+        self, pair: ShapeCorrespondence, method: str, bodies: "tuple[Body, ...]", tree: Tree | None
     ) -> None:
-        self.pair, self.method, self.bodies = pair, method, bodies
+        self.pair, self.method, self.bodies, self._tree = pair, method, bodies, tree
         self.meta_skeleton: MetaSkeleton | None = None
         if tree is not None:
             roots = np.array([body.root_ends for body in bodies]).T
@@ -41,6 +48,35 @@ class ShapeBlend:
             for number, body in enumerate(bodies)
             for ring, link in enumerate(body.part.links)
         }
+
+    @property
+    def settled(self) -> bool:
+        """Whether no part has a better blend to come."""
+        return all(body.blend.settled for body in self.bodies)
+
+    def improvements(
+        self, progress: Progress | None = None, should_stop: ShouldStop | None = None
+    ) -> Iterator["ShapeBlend"]:
+        """Go on improving the parts that are not settled; give ever better blends, the last one settled.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            Called with the fraction done.
+        should_stop : callable, optional
+            Asked often whether to stop.
+
+        Raises
+        ------
+        Cancelled
+            If ``should_stop`` answered True.
+        """
+        bodies, task = list(self.bodies), Task(progress, should_stop)
+        for number, body in enumerate(self.bodies):
+            share = task.part(number / len(bodies), (number + 1) / len(bodies))
+            for better in body.blend.improvements(progress=share.reach, should_stop=should_stop):
+                bodies[number] = replace(body, blend=better)
+                yield ShapeBlend(self.pair, self.method, tuple(bodies), self._tree)
 
     def at(self, t: float) -> list[Floats]:
         """Give the rings at t, counter-clockwise (n, 2) arrays; of rings that are a point all rows are equal.

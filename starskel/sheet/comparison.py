@@ -59,8 +59,7 @@ class Row:
     @classmethod
     def of_shapes(cls, name: str, report: ShapeReport, frames: tuple[Keyframe | ShapeKeyframe, ...]) -> "Row":
         """Give the row of a blend of shapes that was measured."""
-        kind: Kind = "simple" if report.simple else "harmful"
-        return cls(name, kind, shape_verdict(report), shape_figures(report), frames)
+        return cls(name, kind_of(report), shape_verdict(report), shape_figures(report), frames)
 
 
 SHEET = Look(paper=style.PAPER)

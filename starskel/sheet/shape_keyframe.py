@@ -101,6 +101,11 @@ def _parts(rings: Sequence[Floats], outer: Sequence[int], moving: bool) -> tuple
     )
 
 
+def tree_at(blend: ShapeBlend, t: float) -> Floats:
+    """Give the two ends of each link of the meta-skeleton at t, (k, 2, 2); none where nothing joins parts."""
+    return np.asarray(_trees(blend, np.array([t]))[0])
+
+
 def _trees(blend: ShapeBlend, ts: Floats) -> Floats:
     """Give the links of the meta-skeleton at each time, (times, k, 2, 2)."""
     if blend.meta_skeleton is None:

@@ -9,11 +9,11 @@ if TYPE_CHECKING:  # words do not need what measures
 Kind = Literal["simple", "natural", "harmful"]
 
 
-def kind_of(report: "Report") -> Kind:
-    """Say in a word how good a blend is."""
+def kind_of(report: "Report | ShapeReport") -> Kind:
+    """Say in a word how good a blend is; of several parts nobody looks whether crossings are natural."""
     if report.simple:
         return "simple"
-    return "natural" if report.natural else "harmful"
+    return "natural" if report.of == "polygon" and report.natural else "harmful"
 
 
 def verdict(report: "Report") -> str:

@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 import time
+from dataclasses import replace
 
 import numpy as np
 from PySide6.QtCore import QCoreApplication, QEvent, QEventLoop
@@ -14,7 +15,8 @@ from app.session import Session
 from app.tools.tool import Pointer
 from app.view.main_window import MainWindow
 from app.view.theme import LIGHT, apply_theme
-from starskel.files.project import Project, Step
+from starskel.files.pairs import ShapePair
+from starskel.files.project import Project
 from starskel.polygon import Polygon
 from tests.benchmarks.timing import table
 from tests.families import blob
@@ -57,7 +59,8 @@ class Editor:
         self.window.show()
         source, target = (Polygon(blob(vertices, seed)) for seed in (1, 2))
         marks = starskel.suggest_marks(source, target, 6)
-        self.window.session.show_project(Project("", (source, target), (Step(tuple(marks)),), METHODS))
+        project = Project.of(ShapePair("", source, target, tuple(marks)))
+        self.window.session.show_project(replace(project, methods=METHODS))
         self.settle()
 
     def settle(self) -> None:

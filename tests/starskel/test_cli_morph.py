@@ -1,12 +1,15 @@
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from starskel.cli import main
 from starskel.easing import Easing
+from starskel.files.key_shape import KeyShape
 from starskel.files.picture import Picture
-from starskel.files.project import Project, write_project
+from starskel.files.project import Project
+from starskel.files.project_file import write_project
 from starskel.files.raster import png_of, read_animation, read_image, write_image
 from starskel.files.step import Step
 from starskel.polygon import Polygon
@@ -59,9 +62,12 @@ def test_one_moment_on_a_ground(pictures):
 def test_a_project_with_a_picture_moves_as_its_easing_says(pictures):
     square = Polygon([(0, 0), (4, 0), (4, 3), (0, 3)])
     picture = Picture(png_of(waves(40, 30)), (2.0, 1.5), (4.0, 3.0))
-    late = Step(easing=Easing((1, 0), (1, 0)))
+    late = replace(Step.of(), easing=Easing((1, 0), (1, 0)))
     turned = Polygon([(10, 0), (14, 0), (14, 3), (10, 3)])
-    write_project(pictures / "p.json", Project("p", (square, turned), (late,), pictures=(picture, None)))
+    write_project(
+        pictures / "p.json",
+        Project("p", (replace(KeyShape.of(square), picture=picture), KeyShape.of(turned)), (late,)),
+    )
     assert main(["morph", "p.json", "--eased", "--frames", "3", "--size", "140", "-o", "row.png"]) == 0
     frames = np.split(read_image(pictures / "row.png"), 3, axis=1)
     lefts = [int(np.flatnonzero(frame[..., 3].any(axis=0))[0]) for frame in frames]

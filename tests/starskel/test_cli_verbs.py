@@ -3,6 +3,7 @@
 import json
 import re
 import xml.etree.ElementTree as ET
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,8 +13,8 @@ import starskel
 from starskel.blending import METHODS
 from starskel.cli import main
 from starskel.files.examples import resource_folder
-from starskel.files.project import Project, read_project, write_project
-from starskel.files.step import Step
+from starskel.files.project import Project
+from starskel.files.project_file import read_project, write_project
 from tests.starskel.export.rendering import needs_ghostscript, rendered_postscript
 
 SHAPES = Path(__file__).parents[1] / "shapes"
@@ -220,9 +221,7 @@ def test_a_project_is_blended_with_its_root_and_turns():
     usual = starskel.blend(decomposition.pair, "star-skeleton")
     piece = next(k for k in range(len(decomposition.pieces)) if k != usual.skeleton.root)
     root = tuple(decomposition.source_origins[piece].tolist())
-    write_project(
-        Path("p.json"), Project("p", (pair.source, pair.target), (Step(pair.marks, root=root, turns=1),))
-    )
+    write_project(Path("p.json"), Project.of(replace(pair, id="p", root=root, turns=1)))
     main(["render", "p.json", "--method", "star-skeleton", "--at", "0.5", "-o", "out.json"])
     frame = json.loads(Path("out.json").read_text())["frames"][0]
     steered = starskel.blend(decomposition.pair, "star-skeleton", root=piece, turns=1)

@@ -7,15 +7,16 @@ from pytestqt.qtbot import QtBot
 
 from app.compute import Blends, Failure, Result, Subject
 from starskel import Polygon
+from tests.app.compute.subjects import subject
 from tests.families import two_opt
 
-CROSSING = Subject(Polygon(two_opt(12, 0)), Polygon(two_opt(12, 1000)), tuple((k, k) for k in range(12)))
+CROSSING = subject(Polygon(two_opt(12, 0)), Polygon(two_opt(12, 1000)), tuple((k, k) for k in range(12)))
 METHODS = ("vertex", "edge-angle")
 SHAPES = tuple(Polygon([(0, 0), (10, 0), (10, 10 + k), (0, 10)]) for k in range(6))
 
 
 def step(k: int, *marks: tuple[int, int]) -> Subject:
-    return Subject(SHAPES[k], SHAPES[k + 1], marks)
+    return subject(SHAPES[k], SHAPES[k + 1], marks)
 
 
 @pytest.fixture

@@ -8,10 +8,11 @@ from pytestqt.qtbot import QtBot
 
 from app.compute import Computer, Failure, Request, Result, Subject, job
 from starskel import Cancelled, InvalidPolygon, Polygon, blend
+from tests.app.compute.subjects import subject
 from tests.families import two_opt
 
 SQUARE = Polygon([(0, 0), (10, 0), (10, 10), (0, 10)])
-REQUEST = Request(Subject(SQUARE, SQUARE), ("vertex", "edge-angle"))
+REQUEST = Request(subject(SQUARE, SQUARE), ("vertex", "edge-angle"))
 
 
 class Collector:
@@ -66,11 +67,11 @@ def test_every_method_is_delivered_as_soon_as_it_is_there(computer: Computer, qt
 
 def test_the_newest_request_wins(computer: Computer, qtbot: QtBot, slow: dict[str, threading.Event]) -> None:
     seen = Collector(computer)
-    computer.request(Request(Subject(SQUARE, SQUARE), ("edge-angle",)))
+    computer.request(Request(subject(SQUARE, SQUARE), ("edge-angle",)))
     assert slow["begun"].wait(5)
     for _ in range(20):
-        computer.request(Request(Subject(SQUARE, SQUARE), ("edge-angle",)))
-    computer.request(Request(Subject(SQUARE, SQUARE, ((0, 1),)), ("vertex",)))
+        computer.request(Request(subject(SQUARE, SQUARE), ("edge-angle",)))
+    computer.request(Request(subject(SQUARE, SQUARE, ((0, 1),)), ("vertex",)))
     assert slow["stopped"].wait(5)
     slow["go"].set()
     qtbot.waitUntil(lambda: not computer.busy)
@@ -86,9 +87,9 @@ def test_what_an_old_request_still_delivers_is_dropped(
     """The old result is finished and under way to the window when the new request comes."""
     seen = Collector(computer)
     slow["go"].set()
-    computer.request(Request(Subject(SQUARE, SQUARE), ("edge-angle",)))
+    computer.request(Request(subject(SQUARE, SQUARE), ("edge-angle",)))
     assert slow["begun"].wait(5)
-    computer.request(Request(Subject(SQUARE, SQUARE), ("vertex",)))
+    computer.request(Request(subject(SQUARE, SQUARE), ("vertex",)))
     qtbot.waitUntil(lambda: not computer.busy)
     assert [outcome.method for outcome in seen.outcomes] == ["vertex"]
 
@@ -155,7 +156,7 @@ def test_closing_stops_a_running_computation(
 
 def test_the_decomposition_is_computed_once_for_all_methods(computer: Computer, qtbot: QtBot) -> None:
     seen = Collector(computer)
-    computer.request(Request(Subject(SQUARE, SQUARE), ("star-skeleton", "stitched")))
+    computer.request(Request(subject(SQUARE, SQUARE), ("star-skeleton", "stitched")))
     qtbot.waitUntil(lambda: not computer.busy)
     first, second, _ = (outcome.blend for outcome in seen.outcomes if isinstance(outcome, Result))
     assert first.decomposition is not None
@@ -164,7 +165,7 @@ def test_the_decomposition_is_computed_once_for_all_methods(computer: Computer, 
 
 def test_the_box_holds_all_frames(computer: Computer, qtbot: QtBot) -> None:
     seen = Collector(computer)
-    computer.request(Request(Subject(SQUARE, Polygon([(20, 0), (24, 0), (24, 30)])), ("vertex",)))
+    computer.request(Request(subject(SQUARE, Polygon([(20, 0), (24, 0), (24, 30)])), ("vertex",)))
     qtbot.waitUntil(lambda: not computer.busy)
     (outcome,) = seen.outcomes
     assert isinstance(outcome, Result)
@@ -173,7 +174,7 @@ def test_the_box_holds_all_frames(computer: Computer, qtbot: QtBot) -> None:
 
 def live(x: float, *methods: str) -> Request:
     """A moment of a gesture that drags a corner."""
-    return Request(Subject(SQUARE, Polygon([(0, 0), (10, 0), (10, x), (0, 10)])), methods, live=True)
+    return Request(subject(SQUARE, Polygon([(0, 0), (10, 0), (10, x), (0, 10)])), methods, live=True)
 
 
 def test_a_gesture_does_not_end_its_own_requests_and_only_the_newest_waits(
@@ -210,7 +211,7 @@ def test_the_end_of_a_gesture_does_not_wait(
     for x in (11, 12):
         computer.request(live(x, "edge-angle"))
     assert slow["begun"].wait(5)
-    computer.request(Request(Subject(SQUARE, SQUARE), ("vertex",)))
+    computer.request(Request(subject(SQUARE, SQUARE), ("vertex",)))
     assert slow["stopped"].wait(5)
     slow["go"].set()
     qtbot.waitUntil(lambda: not computer.busy)
@@ -220,7 +221,7 @@ def test_the_end_of_a_gesture_does_not_wait(
 def test_what_is_wanted_later_is_computed_when_there_is_nothing_else_to_do(
     computer: Computer, qtbot: QtBot
 ) -> None:
-    later = Request(Subject(SQUARE, SQUARE, ((0, 1),)), ("vertex",))
+    later = Request(subject(SQUARE, SQUARE, ((0, 1),)), ("vertex",))
     subjects: list[Subject] = []
     computer.delivered.connect(lambda subject, outcome: subjects.append(subject))
     computer.request(REQUEST, later)
@@ -234,7 +235,7 @@ def test_a_new_request_takes_the_place_of_what_was_wanted_later(
     seen = Collector(computer)
     computer.request(REQUEST, REQUEST, REQUEST)
     assert slow["begun"].wait(5)
-    computer.request(Request(Subject(SQUARE, SQUARE), ("vertex",)))
+    computer.request(Request(subject(SQUARE, SQUARE), ("vertex",)))
     slow["go"].set()
     qtbot.waitUntil(lambda: not computer.busy)
     assert [outcome.method for outcome in seen.outcomes] == ["vertex"]
@@ -242,7 +243,7 @@ def test_a_new_request_takes_the_place_of_what_was_wanted_later(
 
 def crossing() -> Subject:
     """Shapes whose first blend crosses itself, and which settle soon."""
-    return Subject(Polygon(two_opt(12, 0)), Polygon(two_opt(12, 1000)), tuple((k, k) for k in range(12)))
+    return subject(Polygon(two_opt(12, 0)), Polygon(two_opt(12, 1000)), tuple((k, k) for k in range(12)))
 
 
 def test_the_first_blend_is_shown_at_once_and_better_ones_follow(computer: Computer, qtbot: QtBot) -> None:

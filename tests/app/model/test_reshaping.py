@@ -1,7 +1,8 @@
 import numpy as np
 
 from app.model import reshaping
-from app.model.document import Document, lost_marks
+from app.model.document import Document
+from app.model.sequence import lost_marks
 from starskel.polygon import Polygon
 
 FLAG = Polygon([(0, 0), (8, 0), (8, 5), (4, 3), (0, 6)])
@@ -24,7 +25,7 @@ def test_simplifying_keeps_marked_vertices() -> None:
     simpler = reshaping.simplify(finer, "source", 100, range(14))
     assert marked_places(simpler) == marked_places(PAIR)
     assert len(simpler.vertices("source")) < 5
-    assert not lost_marks(finer, simpler)
+    assert not lost_marks(finer.sequence, simpler.sequence)
 
 
 def test_only_the_vertices_named_may_go() -> None:
@@ -44,7 +45,7 @@ def test_a_mirrored_shape_keeps_the_marks_that_still_agree() -> None:
     ring = reshaping.mirrored(PAIR, "source", range(5), (-1, 1))
     document = reshaping.turn_round(PAIR, "source", ring)
     assert marked_places(document) == [[8, 0], [0, 5]]
-    assert lost_marks(PAIR, document) == 1
+    assert lost_marks(PAIR.sequence, document.sequence) == 1
     np.testing.assert_array_equal(np.sort(document.vertices("source"), axis=0), np.sort(ring, axis=0))
 
 

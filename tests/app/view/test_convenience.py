@@ -16,7 +16,10 @@ from app.view.finder import Finder, matches
 from app.view.main_window import MainWindow
 from app.view.shortcuts import ShortcutsDialog, changed_shortcuts
 from app.view.start import begin
-from starskel.files.project import Project, Step, write_project
+from starskel.files.key_shape import KeyShape
+from starskel.files.project import Project
+from starskel.files.project_file import write_project
+from starskel.files.step import Step
 from starskel.polygon import Polygon
 from tests.app.driver import CONTROL, LEFT, PLAIN, SHIFT, SQUARE, Driver
 
@@ -24,7 +27,7 @@ SHAPE = Polygon(SQUARE)
 
 
 def project(path: Path) -> Path:
-    write_project(path, Project(path.stem, (SHAPE, SHAPE), (Step(),), ("vertex",)))
+    write_project(path, Project(path.stem, (KeyShape.of(SHAPE),) * 2, (Step.of(),), ("vertex",)))
     return path
 
 

@@ -21,7 +21,7 @@ from app.view.main_window import MainWindow
 from starskel.easing import Easing
 from starskel.files.examples import example
 from starskel.files.pairs import ShapePair, write_pairs
-from starskel.files.project import read_project
+from starskel.files.project_file import read_project
 from tests.app.driver import CONTROL, SHIFT, SQUARE, Driver, name_file, type_name
 
 
@@ -49,7 +49,7 @@ def test_a_drawing_is_saved_and_opened_again(driver: Driver, tmp_path: Path) -> 
     driver.key(Qt.Key.Key_S, CONTROL)
     assert not driver.window.isWindowModified()
     assert "boxes" in driver.window.windowTitle()
-    assert read_project(tmp_path / "boxes.json").shapes == (saved.source, saved.target)
+    assert read_project(tmp_path / "boxes.json").shapes == saved.sequence.shapes
     driver.key(Qt.Key.Key_N, CONTROL)
     assert driver.document.source is None
     driver.in_dialog(lambda dialog: name_file(dialog, "boxes.json"))
@@ -71,7 +71,7 @@ def test_saving_again_asks_nothing_and_undo_back_to_the_saved_state_is_clean(
     assert not driver.window.isWindowModified()
     driver.key(Qt.Key.Key_Y, CONTROL)
     driver.key(Qt.Key.Key_S, CONTROL)
-    assert read_project(tmp_path / "box.json").shapes[0] is None
+    assert not read_project(tmp_path / "box.json").shapes[0].parts
 
 
 def test_closing_asks_about_unsaved_changes(driver: Driver, tmp_path: Path) -> None:
@@ -87,7 +87,7 @@ def test_closing_asks_about_unsaved_changes(driver: Driver, tmp_path: Path) -> N
     driver.in_dialog(save)
     driver.window.close()
     assert not driver.window.isVisible()
-    assert read_project(tmp_path / "kept.json").shapes[0] is not None
+    assert read_project(tmp_path / "kept.json").shapes[0].parts
 
 
 def test_a_drawing_begun_is_not_lost_by_closing(driver: Driver) -> None:

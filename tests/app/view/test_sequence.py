@@ -9,7 +9,10 @@ from PySide6.QtWidgets import QDoubleSpinBox
 
 from app.view.key_strip import KeyStrip
 from app.view.strip_layout import StripLayout
-from starskel.files.project import Project, Step, read_project
+from starskel.files.key_shape import KeyShape
+from starskel.files.project import Project
+from starskel.files.project_file import read_project
+from starskel.files.step import Step
 from starskel.polygon import Polygon
 from tests.app.driver import CONTROL, LEFT, PLAIN, SHIFT, SQUARE, TRIANGLE, Driver
 
@@ -19,8 +22,13 @@ MARKS = tuple((k, k) for k in range(4))
 
 @pytest.fixture
 def film(driver: Driver) -> Driver:
-    steps = (Step(MARKS, 0.2), Step(MARKS[:3], 0.1), Step(MARKS[:2], 0.2))
-    driver.session.show_project(Project("film", SHAPES, steps, ("vertex", "edge-angle")))
+    steps = tuple(
+        replace(Step.of(marks), duration=duration)
+        for marks, duration in ((MARKS, 0.2), (MARKS[:3], 0.1), (MARKS[:2], 0.2))
+    )
+    driver.session.show_project(
+        Project("film", tuple(map(KeyShape.of, SHAPES)), steps, ("vertex", "edge-angle"))
+    )
     driver.wait_for_blends()
     return driver
 
@@ -45,7 +53,7 @@ def drag(driver: Driver, shape: int, slot: int) -> None:
 def order(driver: Driver) -> list[int]:
     """The shapes by the numbers that they had at first; an empty one is -1."""
     shapes = driver.document.sequence.shapes
-    return [-1 if shape is None else SHAPES.index(shape) for shape in shapes]
+    return [SHAPES.index(shape.rings[0]) if shape.parts else -1 for shape in shapes]
 
 
 def test_two_shapes_look_as_simple_as_ever(driver: Driver) -> None:
@@ -196,6 +204,13 @@ def test_playing_runs_through_all_shapes_and_computes_nothing(film: Driver) -> N
     assert film.session.undoes is None
     film.window.player.pause()
     assert film.window.player.step == film.document.step
+
+
+def test_a_new_document_ends_playing_in_whatever_step_it_is(film: Driver) -> None:
+    film.window.player.play()
+    film.wait(lambda: film.document.step == 2)
+    film.session.new()
+    assert (film.document.step, film.window.player.step, film.window.player.playing) == (0, 0, False)
 
 
 def test_one_step_can_be_played_alone(film: Driver) -> None:

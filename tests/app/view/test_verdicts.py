@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.view.verdicts import crosses_at, crossing_spans, details, summaries
+from app.view.verdicts import crossing_rings, crossing_spans, details, summaries
 from starskel import Polygon, Report, blend, measure
 from starskel.quality import Crossing
 
@@ -34,8 +34,8 @@ def test_spans_are_those_of_frames_of_a_kind_in_a_row() -> None:
     report = crossing((0.2, 20, True), (0.21, 21, True), (0.22, 22, False), (0.7, 70, False))
     spans = [(0.2, 0.21, True), (0.22, 0.22, False), (0.7, 0.7, False)]
     np.testing.assert_allclose(crossing_spans(report), spans)
-    assert crosses_at(report, 0.704)
-    assert not crosses_at(report, 0.5)
+    assert crossing_rings(report, 0.704) == {0}
+    assert not crossing_rings(report, 0.5)
 
 
 def test_a_crossing_between_frames_is_a_span_too() -> None:

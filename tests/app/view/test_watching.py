@@ -10,7 +10,9 @@ from app.session import USUAL_METHODS
 from app.view.fitting_label import FittingLabel
 from app.view.panels import columns_for
 from starskel.files.examples import example
+from starskel.files.key_shape import KeyShape
 from starskel.files.project import Project
+from starskel.files.step import Step
 from starskel.polygon import Polygon
 from tests.app.driver import CONTROL, LEFT, PLAIN, TRIANGLE, Driver
 
@@ -265,7 +267,7 @@ def test_the_grid_follows_the_shapes(arm: Driver) -> None:
     shown = []
     for source, width in ((TRIANGLE, 1.0), (TRIANGLE, 30.0)):
         shape = Polygon(np.array(source) * (width, 1.0))
-        arm.session.show_project(Project("", (shape, shape)))
+        arm.session.show_project(Project("", (KeyShape.of(shape),) * 2, (Step.of(),)))
         arm.wait_for_blends()
         QApplication.processEvents()
         panels = [arm.window.panels.panel(method) for method in arm.document.methods]

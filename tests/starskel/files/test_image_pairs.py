@@ -1,13 +1,16 @@
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from starskel.errors import InvalidFile
 from starskel.files.image_pairs import of_project, read_image_pairs
+from starskel.files.key_shape import KeyShape
 from starskel.files.picture import Picture
 from starskel.files.project import Project
 from starskel.files.raster import png_of, write_image
+from starskel.files.step import Step
 from starskel.polygon import Polygon
 from tests.starskel.images.drawn import waves
 
@@ -49,9 +52,9 @@ def test_what_is_wrong_is_said_with_its_place(tmp_path):
 def test_pictures_of_a_project_lie_where_it_says(tmp_path):
     square = Polygon([(0, 0), (4, 0), (4, 4), (0, 4)])
     picture = Picture(png_of(waves(40, 20)), (2.0, 3.0), (8.0, 4.0))
-    project = Project("p", (square, square), pictures=(picture, None))
+    project = Project("p", (replace(KeyShape.of(square), picture=picture), KeyShape.of(square)), (Step.of(),))
     pair = of_project(tmp_path / "p.json", project, 0)
     assert pair.target is None
     assert pair.source.to_document([(0, 0), (40, 20)]).tolist() == [[-2, 5], [6, 1]]
     with pytest.raises(InvalidFile, match="no picture behind shape A or B"):
-        of_project(tmp_path / "p.json", Project("p", (square, square)), 0)
+        of_project(tmp_path / "p.json", Project("p", (KeyShape.of(square),) * 2, (Step.of(),)), 0)

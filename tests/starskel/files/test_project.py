@@ -1,22 +1,45 @@
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from starskel.easing import Easing
 from starskel.errors import InvalidFile
-from starskel.files.project import Project, letter, read_project, write_project
-from starskel.files.step import Step
+from starskel.files.key_shape import KeyShape, Part
+from starskel.files.project import Project, letter
+from starskel.files.project_file import read_project, write_project
+from starskel.files.step import Link, Step
 from starskel.polygon import Polygon
 
 TRIANGLE = Polygon([[0, 0], [1, 0], [0.1, 1 / 3]])
 SQUARE = Polygon([[0, 0], [4, 0], [4, 4], [0, 4]])
+TRIANGULAR, SQUARED, EMPTY = KeyShape.of(TRIANGLE), KeyShape.of(SQUARE), KeyShape()
 WHOLE = Project(
-    "Dreieck → Quadrat", (TRIANGLE, SQUARE), (Step(((0, 1), (2, 3))),), methods=("stitched", "vertex")
+    "Dreieck → Quadrat", (TRIANGULAR, SQUARED), (Step.of(((0, 1), (2, 3))),), methods=("stitched", "vertex")
 )
-LONG = Project("long", (TRIANGLE, SQUARE, None, SQUARE), (Step(((0, 1),), 0.5), Step(), Step((), 1.25)))
+LONG = Project(
+    "long",
+    (TRIANGULAR, SQUARED, EMPTY, SQUARED),
+    (
+        replace(Step.of(((0, 1),)), duration=0.5),
+        Step((Link(0, None),)),
+        Step((Link(None, 0),), duration=1.25),
+    ),
+)
 STEERED = Project(
-    "steered", (TRIANGLE, SQUARE), (Step(((0, 1),), 2.0, Easing((0.4, 0.0), (0.6, 1.0)), (0.3, 0.2), -1),)
+    "steered",
+    (TRIANGULAR, SQUARED),
+    (Step((Link(0, 0, ((0, 1),)),), 2.0, Easing((0.4, 0.0), (0.6, 1.0)), (0.3, 0.2), -1),),
+)
+EYE = Polygon([[1, 1], [2, 1], [2, 2], [1, 2]])
+PARTS = Project(
+    "face",
+    (
+        KeyShape((Part(SQUARE, "face", "#ffcc00"), Part(EYE, "eye", "", False))),
+        KeyShape((Part(SQUARE), Part(TRIANGLE))),
+    ),
+    (Step((Link(0, 0, ((1, 1),)), Link(1, None, place=(1.5, 0.5)), Link(None, 1)), joined=False),),
 )
 FILES = Path(__file__).parents[2] / "files"
 OLD = FILES / "project-version-1.json"
@@ -33,9 +56,10 @@ def path(tmp_path):
         WHOLE,
         LONG,
         STEERED,
+        PARTS,
         Project(""),
-        Project("half", (TRIANGLE, None)),
-        Project("other half", (None, TRIANGLE)),
+        Project("half", (TRIANGULAR, EMPTY), (Step((Link(0, None),)),)),
+        Project("other half", (EMPTY, TRIANGULAR), (Step((Link(None, 0),)),)),
     ],
     ids=lambda project: project.name or "empty",
 )
@@ -54,7 +78,7 @@ def test_a_moved_vertex_changes_one_line(path):
     write_project(path, WHOLE)
     before = path.read_text().splitlines()
     moved = Polygon([[0, 0], [1, 0], [0.2, 1 / 3]])
-    write_project(path, Project(WHOLE.name, (moved, SQUARE), WHOLE.steps, WHOLE.methods))
+    write_project(path, Project(WHOLE.name, (KeyShape.of(moved), SQUARED), WHOLE.steps, WHOLE.methods))
     after = path.read_text().splitlines()
     assert len(before) == len(after)
     assert sum(a != b for a, b in zip(before, after, strict=True)) == 1
@@ -63,8 +87,8 @@ def test_a_moved_vertex_changes_one_line(path):
 def test_a_file_of_version_1_is_a_project_of_one_step(path):
     old, rows = read_project(OLD), json.loads(OLD.read_text())
     assert old.name == rows["name"]
-    assert [shape.vertices.tolist() for shape in old.shapes] == [rows["source"], rows["target"]]
-    assert old.steps == (Step(tuple(map(tuple, rows["marks"])), 1.0),)
+    assert [shape.rings[0].vertices.tolist() for shape in old.shapes] == [rows["source"], rows["target"]]
+    assert old.steps == (Step.of(tuple(map(tuple, rows["marks"]))),)
     assert list(old.methods) == rows["methods"]
     write_project(path, old)
     assert json.loads(path.read_text())["version"] == 3
@@ -74,26 +98,24 @@ def test_a_file_of_version_1_is_a_project_of_one_step(path):
 def test_a_file_of_version_2_has_even_unsteered_steps(path):
     old = read_project(FILES / "project-version-2.json")
     rows = json.loads((FILES / "project-version-2.json").read_text())
-    assert [[tuple(mark) for mark in step["marks"]] for step in rows["steps"]] == [
-        list(step.marks) for step in old.steps
-    ]
-    assert old.steps == tuple(
-        Step(step.marks, row["duration"]) for step, row in zip(old.steps, rows["steps"], strict=True)
-    )
-    assert (old.description, old.shapes[2]) == (rows["description"], None)
-    assert old.pictures[1].size == (2.0, 1.0)
+    first, second = old.steps
+    marks = tuple(map(tuple, rows["steps"][0]["marks"]))
+    assert first == replace(Step.of(marks), duration=rows["steps"][0]["duration"])
+    assert second == Step((Link(0, None),), duration=rows["steps"][1]["duration"])
+    assert (old.description, old.shapes[2]) == (rows["description"], EMPTY)
+    assert old.shapes[1].picture.size == (2.0, 1.0)
     write_project(path, old)
     assert read_project(path) == old
 
 
 def test_marks_of_every_step_follow_shapes_given_clockwise(path):
-    write_project(path, Project("", (SQUARE,) * 3, (Step(((1, 2),)), Step(((2, 3),)))))
+    write_project(path, Project("", (SQUARED,) * 3, (Step.of(((1, 2),)), Step.of(((2, 3),)))))
     document = json.loads(path.read_text())
-    document["shapes"][1] = [[0, 0], [0, 4], [4, 4], [4, 0]]
+    document["shapes"][1]["parts"][0]["ring"] = [[0, 0], [0, 4], [4, 4], [4, 0]]
     path.write_text(json.dumps(document))
     project = read_project(path)
-    assert project.shapes == (SQUARE,) * 3
-    assert [step.marks for step in project.steps] == [((1, 2),), ((2, 3),)]
+    assert project.shapes == (SQUARED,) * 3
+    assert [step.links[0].marks for step in project.steps] == [((1, 2),), ((2, 3),)]
     assert project.pair(1).marks == ((2, 3),)
 
 
@@ -111,12 +133,26 @@ def changed(path, **change):
     return path
 
 
+def link(**change):
+    return {"source": 0, "target": 0, "place": None, "marks": [], **change}
+
+
 def step(**change):
-    easing = [[0, 0], [1, 1]]
-    return {"duration": 1.0, "easing": easing, "root": None, "turns": 0, "marks": [], **change}
+    steered = {"easing": [[0, 0], [1, 1]], "root": None, "turns": 0, "joined": True}
+    return {"duration": 1.0, **steered, "links": [link()], **change}
 
 
-TRIANGLES = [[[0, 0], [4, 0], [0, 4]]] * 2
+def shape(*rings, **change):
+    look = {"name": "", "colour": "", "visible": True, **change}
+    return {"picture": None, "parts": [{**look, "ring": ring} for ring in rings]}
+
+
+ROWS = [[0, 0], [4, 0], [0, 4]]
+NESTED = (
+    [[0, 0], [9, 0], [9, 9], [0, 9]],
+    [[1, 1], [5, 1], [5, 5], [1, 5]],
+    [[2, 2], [7, 2], [7, 7], [2, 7]],
+)
 
 
 @pytest.mark.parametrize(
@@ -126,17 +162,31 @@ TRIANGLES = [[[0, 0], [4, 0], [0, 4]]] * 2
         ({"version": 4}, "of version 4; this program knows versions up to 3; open it with a newer starskel"),
         ({"version": 0}, "of version 0"),
         ({"version": 1}, "missing required field `source`"),
-        ({"shapes": [[[0, 0], [1, 1]], None]}, "drawing.json: shape A: a polygon of 2 points"),
-        ({"shapes": [None, [[0, 0], [4, 4], [4, 0], [0, 4]]]}, "drawing.json: shape B: edges 0-1 and 2-3"),
-        ({"shapes": [None, TRIANGLES[0]]}, "drawing.json: step A-B has marks, but not both shapes"),
-        ({"shapes": [None]}, "has 1 shapes and 1 steps; give two shapes at least"),
+        ({"shapes": [shape([[0, 0], [1, 1]]), shape()]}, "drawing.json: shape A: a polygon of 2 points"),
+        (
+            {"shapes": [shape(), shape(ROWS, [[0, 0], [4, 4], [4, 0], [0, 4]])]},
+            "drawing.json: shape B, part 1: edges 0-1 and 2-3",
+        ),
+        ({"shapes": [shape(*NESTED), shape()]}, "shape A: rings 1 and 2, holes of one part, meet"),
+        ({"shapes": [shape(ROWS, colour="red"), shape()]}, r"`\$.shapes\[0\].parts\[0\].colour`"),
+        ({"shapes": [shape(), shape(ROWS)]}, "drawing.json: step A-B: the links name parts that are not"),
+        ({"shapes": [shape()]}, "has 1 shapes and 1 steps; give two shapes at least"),
         ({"steps": []}, "has 2 shapes and 0 steps"),
         ({"steps": [step(duration=0)]}, r"`float` > 0.0 - at `\$.steps\[0\].duration`"),
         ({"steps": [step(easing=[[0, 0], [1.5, 1]])]}, r"`float` <= 1.0 - at `\$.steps\[0\].easing"),
         ({"steps": [step(turns=0.5)]}, r"Expected `int`, got `float` - at `\$.steps\[0\].turns`"),
         ({"steps": [step(root=[1])]}, r"length 2 - at `\$.steps\[0\].root`"),
-        ({"steps": [step(marks=[[0, 4]])]}, "step A-B: mark 0 names vertex 4 of the target"),
-        ({"steps": [step(marks=[[0]])]}, r"length 2 - at `\$.steps\[0\].marks\[0\]`"),
+        ({"steps": [step(links=[])]}, "step A-B: the links name parts that are not there, or leave some out"),
+        ({"steps": [step(links=[link(source=1)])]}, "step A-B: the links name parts that are not there"),
+        (
+            {"steps": [step(links=[link(target=None, marks=[[0, 0]]), link(source=None)])]},
+            "step A-B: there are marks, but not both shapes",
+        ),
+        ({"steps": [step(links=[link(marks=[[0, 4]])])]}, "step A-B: mark 0 names vertex 4 of the target"),
+        (
+            {"steps": [step(links=[link(marks=[[0]])])]},
+            r"length 2 - at `\$.steps\[0\].links\[0\].marks\[0\]`",
+        ),
         (
             {"methods": ["vertex", "magic"]},
             'the method "magic", .* open it with a newer starskel, or name one of',

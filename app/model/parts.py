@@ -1,0 +1,92 @@
+"""What is done to parts of shapes, and to what becomes of them."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Any
+
+from app.model import pairing
+from app.model.document import Document, Point
+from app.model.marks import SIDES, Side
+from app.model.pairing import Ends
+from starskel.files.key_shape import Part
+
+
+def style(document: Document, link: int, **changes: Any) -> Document:
+    """Change the name, the colour or the visibility of the part of a link and of its partner."""
+    sequence = document.sequence
+    for side, part in zip(SIDES, document.way.links[link].ends, strict=True):
+        if part is not None:
+            sequence = sequence.style(document.shape_on(side), part, **changes)
+    return replace(document, sequence=sequence)
+
+
+def remove(document: Document) -> Document:
+    """Remove the part worked on and its partner; one that has other partners, too, goes all the same."""
+    source, target = document.pair.ends
+    sequence = document.sequence
+    ends: tuple[tuple[Side, int | None], ...] = (("target", target), ("source", source))
+    for side, part in ends:
+        if part is not None:
+            sequence = sequence.remove_part(document.shape_on(side), part)
+    last = len(sequence.steps[document.step].links) - 1
+    return replace(document, sequence=sequence, link=max(min(document.link, last), 0))
+
+
+def pair(document: Document, source: int, target: int) -> Document:
+    """Let a part become another one; the partners that they had become each other."""
+    links = pairing.paired(document.way.links, source, target)
+    return document.relinked(links).working_on("source", source)
+
+
+def split(document: Document, source: int, target: int) -> Document:
+    """Let a part become another one besides: one becomes several, or several become one."""
+    links = pairing.split(document.way.links, source, target)
+    return document.relinked(links).working_on("target", target)
+
+
+def part_ways(document: Document) -> Document:
+    """Let the source shrink to a point and the target grow from one, each by itself."""
+    if document.pair.alone:
+        return document
+    return document.relinked(pairing.parted(document.way.links, document.link))
+
+
+def pair_anew(document: Document, ends: Iterable[Ends]) -> Document:
+    """Give all parts other partners; those who stay together keep their marks."""
+    return document.relinked(pairing.repaired(document.way.links, ends))
+
+
+def reorder(document: Document, to: int) -> Document:
+    """Paint the part worked on as the one of this number, the first at the bottom."""
+    links = document.way.links
+    rest = (*links[: document.link], *links[document.link + 1 :])
+    moved = document.steer(links=(*rest[:to], document.pair, *rest[to:]))
+    return replace(moved, link=to)
+
+
+def place(document: Document, at: Point | None) -> Document:
+    """Let the part without a partner grow from a point, or shrink to it; None leaves that to the method."""
+    return document.put_link(replace(document.pair, place=at)) if document.pair.alone else document
+
+
+def members(document: Document, link: int) -> list[Part]:
+    """Give the parts of a link: one of each shape, or the one that is alone."""
+    ends = zip(SIDES, document.way.links[link].ends, strict=True)
+    return [document.shape(side).parts[part] for side, part in ends if part is not None]
+
+
+def stacked(document: Document, side: Side) -> list[int]:
+    """Give the parts on a side in the order in which they are painted, the lowest first."""
+    found = (pairing.part_of(link, side) for link in document.way.links)
+    return list(dict.fromkeys(part for part in found if part is not None))
+
+
+def colours(document: Document, link: int) -> tuple[str, str]:
+    """Give the colours of a link at the start and at the end, empty where they are the usual ones."""
+    found = members(document, link)
+    return found[0].colour, found[-1].colour
+
+
+def shown(document: Document, link: int) -> bool:
+    """Tell whether one of the parts of a link is visible."""
+    return any(part.visible for part in members(document, link))
