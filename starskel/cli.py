@@ -1,3 +1,4 @@
+# PYTHON_ARGCOMPLETE_OK
 """The command: a parser of words. What a verb needs is imported when it runs: --help answers at once."""
 
 import argparse
@@ -22,6 +23,7 @@ examples:
   starskel morph pictures.json --id dog-cat --returning -o morph.gif
   starskel gallery -o gallery drawing.json shapes.json
   starskel measure shapes.json --json > figures.json
+  starskel convert icons.svg --shape heart --shape star -o drawing.json
 
 exit status: 0 done, 2 something is wrong with what was given, 130 interrupted, 141 nobody reads the output
 """
@@ -35,7 +37,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     argv : sequence of str, optional
         The words behind the command's name; else those of the process.
     """
-    arguments = _parser().parse_args(argv)
+    parser = _parser()
+    if "_ARGCOMPLETE" in os.environ:  # a shell asks how a word may go on
+        import_module("argcomplete").autocomplete(parser)
+    arguments = parser.parse_args(argv)
     try:
         status: int = import_module(f"starskel.command.{arguments.verb}").run(arguments)
         sys.stdout.flush()
@@ -72,6 +77,14 @@ _VERBS = (
     ),
     ("morph", "write frames of pictures inside shapes, side by side or moving", options.add_morph),
     ("gallery", "write a page of many pairs, all methods side by side", options.add_gallery),
+    (
+        "convert",
+        "write shapes of drawings and maps as another kind of file, or as a project",
+        options.add_convert,
+    ),
+    ("info", "print what files hold", options.add_info),
+    ("batch", "blend and measure thousands of pairs in parallel; it can be resumed", options.add_batch),
+    ("completion", "print the script that lets a shell complete words", options.add_completion),
     ("measure", "print what is measured of every pair and method", options.add_measure),
 )
 """Each verb, what it does, and what it understands; the module of its name in starskel.command runs it."""

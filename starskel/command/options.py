@@ -8,6 +8,7 @@ from starskel.blending import METHODS
 from starskel.export.formats import FORMATS, LAYOUTS
 
 _FILE = "a project of the editor, or a file of pairs (polygon-pairs/1)"
+_DRAWING = "a drawing or map (.svg, .geojson, .wkt), a project or a file of pairs (.json)"
 _SHAPES = ", of shapes too (polygon-multi-pairs/1)"
 
 
@@ -90,6 +91,73 @@ def add_measure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--json", action="store_true", help="print JSON instead of a table")
 
 
+def add_convert(parser: argparse.ArgumentParser) -> None:
+    """Say what convert understands."""
+    parser.description = (
+        "Read shapes and write them as another kind of file: .svg, .geojson, .wkt, or .json, a project whose"
+        " source and target are the first two shapes, or those named. What was mended goes to standard error."
+    )
+    parser.add_argument("files", type=Path, nargs="+", metavar="FILE", help=_DRAWING)
+    parser.add_argument("-o", "--output", type=Path, required=True, metavar="OUT", help="the file to write")
+    parser.add_argument(
+        "--shape", action="append", metavar="NAME", help="this shape; may be given again (all)"
+    )
+    parser.add_argument(
+        "--tolerance",
+        type=_length,
+        default=0.0005,
+        metavar="E",
+        help="how far lines may leave curves, as a part of the box of the shape (0.0005)",
+    )
+
+
+def add_info(parser: argparse.ArgumentParser) -> None:
+    """Say what info understands."""
+    parser.description = (
+        "Print what files hold: their shapes with parts, holes, vertices, size, and what was mended."
+    )
+    parser.add_argument("files", type=Path, nargs="+", metavar="FILE", help=_DRAWING)
+    parser.add_argument("--json", action="store_true", help="print JSON")
+
+
+def add_batch(parser: argparse.ArgumentParser) -> None:
+    """Say what batch understands."""
+    parser.description = (
+        "Blend and measure all pairs of a folder, or of a manifest, in parallel. RESULTS gets results.jsonl,"
+        " a line for each pair, and index.html. Called again it goes on where it was interrupted."
+    )
+    parser.add_argument(
+        "place",
+        type=Path,
+        metavar="DIR-OR-MANIFEST",
+        help='a folder, or a file of lines like {"file": "pairs.json", "id": "a"} or'
+        ' {"source": "a.svg", "target": "b.svg"}',
+    )
+    parser.add_argument(
+        "-o", "--output", type=Path, required=True, metavar="RESULTS", help="the folder to fill"
+    )
+    parser.add_argument("--methods", type=_methods, metavar="M,M", help="by these methods (all)")
+    parser.add_argument(
+        "--frames", type=_frame_count, default=101, metavar="N", help="frames looked at (101)"
+    )
+    parser.add_argument(
+        "--processes", type=_step, metavar="N", help="so many at once (one for each processor)"
+    )
+    parser.add_argument(
+        "--scheduler", metavar="ADDRESS", help="on the Dask cluster of this scheduler instead"
+    )
+    parser.add_argument("--retry", action="store_true", help="try pairs again that failed before")
+    parser.add_argument("--json", action="store_true", help="print JSON at the end")
+
+
+def add_completion(parser: argparse.ArgumentParser) -> None:
+    """Say what completion understands."""
+    parser.description = (
+        'Print a script that lets a shell complete words. For bash: eval "$(starskel completion bash)"'
+    )
+    parser.add_argument("shell", choices=("bash", "zsh", "fish", "tcsh", "powershell"))
+
+
 def _add_pair(parser: argparse.ArgumentParser, file: str = _FILE + _SHAPES) -> None:
     parser.add_argument("file", type=Path, metavar="FILE", help=file)
     parser.add_argument("--id", metavar="ID", help="the pair; may be left out where there is but one")
@@ -152,6 +220,14 @@ def _add_motion(group: argparse._ArgumentGroup) -> None:
         metavar="E",
         help="how far a vertex may stray between keys, as a part of the box of all frames (0.001)",
     )
+
+
+def _methods(text: str) -> tuple[str, ...]:
+    methods = tuple(text.split(","))
+    for method in methods:
+        if method not in METHODS:
+            raise argparse.ArgumentTypeError(f"invalid choice: {method!r} (choose from {', '.join(METHODS)})")
+    return methods
 
 
 def _step(text: str) -> int:

@@ -129,12 +129,10 @@ def _stroke(
     width = float(element.stroke_width or 0)
     if not lines or width <= 0:
         return None
-    area = shapely.union_all(
-        [
+    with np.errstate(divide="ignore", invalid="ignore"):  # GEOS divides by the length of dots
+        areas = [
             shapely.buffer(
-                shapely.LinearRing(line)
-                if (line[0] == line[-1]).all() and len(line) > 3
-                else shapely.LineString(line),
+                _curve(line),
                 width / 2,
                 quad_segs=_quarter(width / 2, reach),
                 cap_style=caps.get(str(element.values.get("stroke-linecap")), "flat"),
@@ -142,8 +140,12 @@ def _stroke(
             )
             for line in lines
         ]
-    )
-    return shape_of_geometry(area, [told("it is the outline of a stroke")])
+    return shape_of_geometry(shapely.union_all(areas), [told("it is the outline of a stroke")])
+
+
+def _curve(line: Floats) -> shapely.Geometry:
+    closed = len(line) > 3 and bool((line[0] == line[-1]).all())
+    return shapely.LinearRing(line) if closed else shapely.LineString(line)
 
 
 def _quarter(radius: float, reach: float) -> int:
