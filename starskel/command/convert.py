@@ -3,18 +3,19 @@
 import sys
 from argparse import Namespace
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 from pathlib import Path
 
 import msgspec
 import numpy as np
 import shapely
 
-from starskel.command.holdings import NamedShape, holdings
+from starskel.command.holdings import NamedShape, holdings, pair_of
 from starskel.errors import InvalidFile
 from starskel.export.svg import svg_text
 from starskel.files.disk import write_bytes
-from starskel.files.project import Project, write_project
-from starskel.files.step import Step
+from starskel.files.project import Project
+from starskel.files.project_file import write_project
 from starskel.sheet.drawing import Area, Drawing, Group
 
 _ONE_UNIT = 1e-9
@@ -56,14 +57,9 @@ def _write_project(path: Path, shapes: Sequence[NamedShape]) -> None:
     """Write a project whose key shapes these are."""
     if len(shapes) < 2:
         raise InvalidFile(f"{path} needs a source and a target, there is one shape", "give another file")
-    for named in shapes:
-        if len(named.shape) > 1:
-            raise InvalidFile(
-                f'"{named.name}" has {len(named.shape)} rings, and a project holds shapes of one',
-                "choose other shapes: --shape NAME",
-            )
-    own = tuple(named.shape.rings[0] for named in shapes)
-    write_project(path, Project(path.stem, own, (Step(),) * (len(own) - 1)))
+    ways = [Project.of(pair_of(path.stem, one.shape, two.shape)) for one, two in pairwise(shapes)]
+    own = (ways[0].shapes[0], *(way.shapes[1] for way in ways))
+    write_project(path, Project(path.stem, own, tuple(way.steps[0] for way in ways)))
 
 
 def _write_svg(path: Path, shapes: Sequence[NamedShape]) -> None:

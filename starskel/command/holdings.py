@@ -4,18 +4,20 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from starskel.command.opening import opened
 from starskel.errors import InvalidFile
-from starskel.files import multi_pairs, pairs, project
-from starskel.files.documents import check_format
-from starskel.files.multi_pairs import read_multi_pairs
-from starskel.files.pairs import read_pairs
-from starskel.files.project import letter, read_project
-from starskel.polygon import Polygon
+from starskel.files import project_file
+from starskel.files.documents import format_of
+from starskel.files.multi_pairs import MultiPair
+from starskel.files.pairs import ShapePair
+from starskel.files.project import AnyPair, letter
+from starskel.files.project_file import read_project
 from starskel.reading.found import Found as NamedShape
 from starskel.reading.readers import ENDINGS, TOLERANCE, read_shapes
+from starskel.shapes.pairing import suggest_pairing
 from starskel.shapes.shape import Shape
 
-__all__ = ["Holdings", "NamedShape", "holdings"]
+__all__ = ["Holdings", "NamedShape", "holdings", "pair_of"]
 
 
 @dataclass(frozen=True)
@@ -51,28 +53,28 @@ def holdings(path: Path, tolerance: float = TOLERANCE) -> Holdings:
         raise InvalidFile(
             f'{path} ends in "{path.suffix}"', f"give a file that ends in .json, {', '.join(ENDINGS)}"
         )
-    kind = check_format(path, pairs.FORMAT, multi_pairs.FORMAT, project.FORMAT)
-    shapes = {pairs.FORMAT: _pairs, multi_pairs.FORMAT: _multi_pairs, project.FORMAT: _project}[kind]
-    return Holdings(kind, tuple(NamedShape(name, shape) for name, shape in shapes(path)))
+    kind = format_of(path)
+    shapes = _key_shapes(path) if kind == project_file.FORMAT else _ends(path)
+    return Holdings(kind, tuple(NamedShape(name, shape) for name, shape in shapes))
 
 
-def _pairs(path: Path) -> Iterator[tuple[str, Shape]]:
-    file = read_pairs(path)
+def pair_of(name: str, source: Shape, target: Shape) -> AnyPair:
+    """Give two shapes as a pair, without marks; of several rings those become each other that fit best."""
+    if len(source) == len(target) == 1:
+        return ShapePair(name, source.rings[0], target.rings[0])
+    return MultiPair(name, source, target, tuple(suggest_pairing(source, target)), marks=(), places={})
+
+
+def _ends(path: Path) -> Iterator[tuple[str, Shape]]:
+    file = opened(path)
     for name in file.ids:
         pair = file.pair(name)
-        yield f"{name} source", Shape([pair.source])
-        yield f"{name} target", Shape([pair.target])
+        for end in ("source", "target"):
+            given = getattr(pair, end)
+            yield f"{name} {end}", given if isinstance(given, Shape) else Shape([given])
 
 
-def _multi_pairs(path: Path) -> Iterator[tuple[str, Shape]]:
-    file = read_multi_pairs(path)
-    for name in file.ids:
-        pair = file.pair(name)
-        yield f"{name} source", pair.source
-        yield f"{name} target", pair.target
-
-
-def _project(path: Path) -> Iterator[tuple[str, Shape]]:
+def _key_shapes(path: Path) -> Iterator[tuple[str, Shape]]:
     for number, shape in enumerate(read_project(path).shapes):
-        if shape is not None:
-            yield letter(number), Shape([shape]) if isinstance(shape, Polygon) else shape
+        if shape.parts:
+            yield letter(number), shape.shape

@@ -11,7 +11,7 @@ import pytest
 import shapely
 
 from starskel.cli import main
-from starskel.files.project import read_project
+from starskel.files.project_file import read_project
 from starskel.reading.readers import read_shapes
 
 ICONS = Path(__file__).parents[1] / "files" / "icons"
@@ -26,11 +26,16 @@ def empty_folder(tmp_path, monkeypatch):
 
 def test_two_drawings_become_a_project_that_can_be_rendered():
     assert main(["convert", CLUB, BUG, "-o", "both.json"]) == 0
-    shapes = read_project(Path("both.json")).shapes
-    assert [len(shape) for shape in shapes] == [
-        len(read_shapes(Path(path)).shapes[0].shape.rings[0]) for path in (CLUB, BUG)
-    ]
+    shapes = [key.shape for key in read_project(Path("both.json")).shapes]
+    assert shapes == [read_shapes(Path(path)).shapes[0].shape for path in (CLUB, BUG)]
     assert main(["render", "both.json", "--method", "vertex", "-o", "row.svg"]) == 0
+
+
+def test_a_shape_with_a_hole_becomes_a_key_shape_of_parts():
+    assert main(["convert", GEAR, CLUB, GEAR, "--shape", "path 1", "-o", "two.json"]) == 2
+    assert main(["convert", GEAR, CLUB, "-o", "two.json"]) == 0
+    assert [len(key) for key in read_project(Path("two.json")).shapes] == [2, 1]
+    assert main(["render", "two.json", "--method", "vertex", "-o", "row.svg"]) == 0
 
 
 @pytest.mark.parametrize("name", ["out.geojson", "out.wkt", "out.svg"])
@@ -59,7 +64,6 @@ def test_shapes_are_chosen_by_name_and_what_was_mended_is_told(capsys):
     ("words", "message"),
     [
         (["convert", CLUB, "-o", "a.json"], "needs a source and a target"),
-        (["convert", GEAR, CLUB, "-o", "a.json"], "has 2 rings, and a project holds shapes of one"),
         (
             ["convert", CLUB, "--shape", "leaf", "-o", "a.wkt"],
             'there is no shape "leaf"; choose one of path 1',

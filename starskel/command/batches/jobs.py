@@ -3,24 +3,21 @@
 import hashlib
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import msgspec
 
-from starskel.command.holdings import holdings
+from starskel.command.holdings import holdings, pair_of
 from starskel.command.opening import opened
 from starskel.errors import InvalidFile, StarskelError
-from starskel.files import multi_pairs, pairs, project
+from starskel.files import multi_pairs, pairs, project_file
 from starskel.files.disk import read_bytes
 from starskel.files.documents import format_of
-from starskel.files.multi_pairs import MultiPair, read_multi_pairs
-from starskel.files.pairs import ShapePair
+from starskel.files.project import AnyPair
 from starskel.reading.readers import ENDINGS
-from starskel.shapes.pairing import suggest_pairing
 
-Pair = ShapePair | MultiPair
-
-_KNOWN = (pairs.FORMAT, multi_pairs.FORMAT, project.FORMAT)
+_KNOWN = (pairs.FORMAT, multi_pairs.FORMAT, project_file.FORMAT)
 
 
 @dataclass(frozen=True)
@@ -39,7 +36,7 @@ class Job:
 
     key: str
     digest: str
-    load: Callable[[], Pair]
+    load: Callable[[], AnyPair]
 
 
 class _Line(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -94,18 +91,12 @@ def _file_jobs(path: Path, name: str, pair_id: str = "") -> Iterator[Job]:
     digest = ""
     try:
         digest = _digest(path)
-        load: Callable[[str], Pair]
-        if format_of(path) == multi_pairs.FORMAT:
-            several = read_multi_pairs(path)
-            ids, load = several.ids, several.pair
-        else:
-            file = opened(path)
-            ids, load = file.ids, file.pair
+        file = opened(path)
     except StarskelError as error:
         yield Job(f"{name}#{pair_id}" if pair_id else name, digest, _failing(error))
         return
-    for own in [pair_id] if pair_id else ids:
-        yield Job(f"{name}#{own}", digest, _bound(load, own))
+    for own in [pair_id] if pair_id else file.ids:
+        yield Job(f"{name}#{own}", digest, partial(file.pair, own))
 
 
 def _drawn_job(folder: Path, entry: _Line) -> Job:
@@ -115,27 +106,20 @@ def _drawn_job(folder: Path, entry: _Line) -> Job:
         digest = _digest(*paths)
     except StarskelError as error:
         return Job(key, "", _failing(error))
-    return Job(key, digest, lambda: _drawn_pair(key, paths))
+    return Job(key, digest, partial(_drawn_pair, key, paths))
 
 
-def _drawn_pair(key: str, paths: Sequence[Path]) -> Pair:
+def _drawn_pair(key: str, paths: Sequence[Path]) -> AnyPair:
     """Give the first shapes of two drawings as a pair."""
     for path in paths:
         if path.suffix.lower() not in ENDINGS:
             raise InvalidFile(f"{path} is no drawing", f"give a file that ends in {', '.join(ENDINGS)}")
     source, target = (holdings(path).shapes[0].shape for path in paths)
-    if len(source) == len(target) == 1:
-        return ShapePair(key, source.rings[0], target.rings[0])
-    pairing = tuple(suggest_pairing(source, target))
-    return MultiPair(key, source, target, pairing, marks=(), places={}, origin="")
+    return pair_of(key, source, target)
 
 
-def _bound(load: Callable[[str], Pair], pair_id: str) -> Callable[[], Pair]:
-    return lambda: load(pair_id)
-
-
-def _failing(error: StarskelError) -> Callable[[], Pair]:
-    def fail() -> Pair:
+def _failing(error: StarskelError) -> Callable[[], AnyPair]:
+    def fail() -> AnyPair:
         raise error
 
     return fail

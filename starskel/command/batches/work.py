@@ -7,12 +7,12 @@ from typing import Any
 
 import msgspec
 
-from starskel.command.batches.jobs import Pair
 from starskel.command.measure import Figures
 from starskel.command.methods import blends
 from starskel.errors import StarskelError
 from starskel.files.multi_pairs import MultiPair
 from starskel.files.pairs import ShapePair
+from starskel.files.project import AnyPair
 from starskel.quality import ShapeReport, measure
 from starskel.shapes.blend import blend
 from starskel.shapes.match import match
@@ -56,7 +56,7 @@ class Task:
 
     key: str
     digest: str
-    pair: Pair
+    pair: AnyPair
     methods: tuple[str, ...]
     frames: int
 
@@ -90,7 +90,7 @@ def _measure_shapes(task: Task, pair: MultiPair, figures: list[dict[str, Any]]) 
     matched = match(pair.source, pair.target, pair.marks, pairing=pair.pairing, places=pair.places)
     holed = any(outer >= 0 for outer in matched.outer)
     for method in _able(task.methods, holed):
-        report = measure(blend(matched, method=method), task.frames)
+        report = measure(blend(matched, method=method, joined=pair.joined, turns=pair.turns), task.frames)
         figures.append({"id": pair.id, "method": method, **_shape_figures(report)})
 
 
