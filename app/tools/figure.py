@@ -1,5 +1,6 @@
 """Draw regular figures by one drag: rectangle, ellipse, regular polygon, star."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import atan2, degrees, hypot
 from typing import ClassVar
@@ -17,17 +18,85 @@ from starskel.predicates import Floats
 
 
 @dataclass(frozen=True)
+class Figure:
+    """A kind of figure.
+
+    Attributes
+    ----------
+    name : str
+        That of its tool.
+    step : str
+        What the history calls drawing one.
+    hint : str
+        How it is drawn, in one line.
+    round : bool
+        Whether a drag goes from the middle to a vertex, else from corner to corner.
+    ring : callable
+        Gives the figure that a drag from one place to another opens.
+    """
+
+    name: str
+    step: str
+    hint: str
+    round: bool
+    ring: Callable[[Settings, Point, Point], Floats]
+
+
+FIGURES = (
+    Figure(
+        "rectangle",
+        QT_TRANSLATE_NOOP("Step", "Draw rectangle"),
+        QT_TRANSLATE_NOOP(
+            "Hint", "Drag from corner to corner. Shift makes a square; Ctrl suspends snapping."
+        ),
+        round=False,
+        ring=lambda _, start, end: figures.rectangle(start, end),
+    ),
+    Figure(
+        "ellipse",
+        QT_TRANSLATE_NOOP("Step", "Draw ellipse"),
+        QT_TRANSLATE_NOOP(
+            "Hint", "Drag from corner to corner of its box. Shift makes a circle; Ctrl suspends snapping."
+        ),
+        round=False,
+        ring=lambda settings, start, end: figures.ellipse(start, end, settings.roundness),
+    ),
+    Figure(
+        "regular-polygon",
+        QT_TRANSLATE_NOOP("Step", "Draw regular polygon"),
+        QT_TRANSLATE_NOOP(
+            "Hint", "Drag from the middle to a corner. Shift turns by steps of 15°; Ctrl suspends snapping."
+        ),
+        round=True,
+        ring=lambda settings, start, end: figures.regular_polygon(start, end, settings.corners),
+    ),
+    Figure(
+        "star",
+        QT_TRANSLATE_NOOP("Step", "Draw star"),
+        QT_TRANSLATE_NOOP(
+            "Hint", "Drag from the middle to a point. Shift turns by steps of 15°; Ctrl suspends snapping."
+        ),
+        round=True,
+        ring=lambda settings, start, end: figures.star(start, end, settings.points, settings.inner),
+    ),
+)
+
+
+@dataclass(frozen=True)
 class FigureTool(Tool):
     """Ready to drag a figure open."""
 
+    figure: Figure
     side: Side = "source"
     catch: Catch | None = None
 
-    step: ClassVar[str]
-    """What the history calls it."""
+    @property
+    def name(self) -> str:  # type: ignore[override] # a constant of tools of one kind
+        return self.figure.name
 
-    round: ClassVar[bool]
-    """Whether a drag goes from the middle to a vertex, else from corner to corner."""
+    @property
+    def hint(self) -> str:  # type: ignore[override] # as above
+        return self.figure.hint
 
     def press(self, scene: Scene, pointer: Pointer) -> Response:
         catch = begun_at(scene, pointer)
@@ -38,66 +107,6 @@ class FigureTool(Tool):
 
     def overlay(self, scene: Scene, side: Side) -> Overlay:
         return Overlay(catch=self.catch) if side == self.side else Overlay()
-
-    def ring(self, settings: Settings, start: Point, end: Point) -> Floats:
-        """Give the figure that a drag opens."""
-        raise NotImplementedError
-
-
-class RectangleTool(FigureTool):
-    """Draws upright rectangles."""
-
-    name: ClassVar[str] = "rectangle"
-    step: ClassVar[str] = QT_TRANSLATE_NOOP("Step", "Draw rectangle")
-    round: ClassVar[bool] = False
-    hint: ClassVar[str] = QT_TRANSLATE_NOOP(
-        "Hint", "Drag from corner to corner. Shift makes a square; Ctrl suspends snapping."
-    )
-
-    def ring(self, settings: Settings, start: Point, end: Point) -> Floats:
-        return figures.rectangle(start, end)
-
-
-class EllipseTool(FigureTool):
-    """Draws upright ellipses."""
-
-    name: ClassVar[str] = "ellipse"
-    step: ClassVar[str] = QT_TRANSLATE_NOOP("Step", "Draw ellipse")
-    round: ClassVar[bool] = False
-    hint: ClassVar[str] = QT_TRANSLATE_NOOP(
-        "Hint", "Drag from corner to corner of its box. Shift makes a circle; Ctrl suspends snapping."
-    )
-
-    def ring(self, settings: Settings, start: Point, end: Point) -> Floats:
-        return figures.ellipse(start, end, settings.roundness)
-
-
-class RegularPolygonTool(FigureTool):
-    """Draws regular polygons."""
-
-    name: ClassVar[str] = "regular-polygon"
-    step: ClassVar[str] = QT_TRANSLATE_NOOP("Step", "Draw regular polygon")
-    round: ClassVar[bool] = True
-    hint: ClassVar[str] = QT_TRANSLATE_NOOP(
-        "Hint", "Drag from the middle to a corner. Shift turns by steps of 15°; Ctrl suspends snapping."
-    )
-
-    def ring(self, settings: Settings, start: Point, end: Point) -> Floats:
-        return figures.regular_polygon(start, end, settings.corners)
-
-
-class StarTool(FigureTool):
-    """Draws stars."""
-
-    name: ClassVar[str] = "star"
-    step: ClassVar[str] = QT_TRANSLATE_NOOP("Step", "Draw star")
-    round: ClassVar[bool] = True
-    hint: ClassVar[str] = QT_TRANSLATE_NOOP(
-        "Hint", "Drag from the middle to a point. Shift turns by steps of 15°; Ctrl suspends snapping."
-    )
-
-    def ring(self, settings: Settings, start: Point, end: Point) -> Floats:
-        return figures.star(start, end, settings.points, settings.inner)
 
 
 @dataclass(frozen=True)
@@ -114,7 +123,7 @@ class Stretching(Tool):
     busy: ClassVar[bool] = True
 
     @property
-    def name(self) -> str:  # type: ignore[override] # a constant of every other state
+    def name(self) -> str:  # type: ignore[override] # as above
         return self.idle.name
 
     def move(self, scene: Scene, pointer: Pointer) -> Response:
@@ -122,13 +131,13 @@ class Stretching(Tool):
             return Response(self)
         catch = self._caught(scene, pointer)
         width, height = abs(catch.at[0] - self.start[0]), abs(catch.at[1] - self.start[1])
-        extent = hypot(width, height) if self.idle.round else min(width, height)
+        extent = hypot(width, height) if self.idle.figure.round else min(width, height)
         return Response(replace(self, catch=catch, opened=extent > pointer.radius / 3))
 
     def release(self, scene: Scene, pointer: Pointer) -> Response:
         if not self.opened:  # a shaky click is no figure
             return Response(self.idle)
-        return drawn(scene, self.side, self._ring(scene), self.idle, self.idle.step)
+        return drawn(scene, self.side, self._ring(scene), self.idle, self.idle.figure.step)
 
     def key(self, scene: Scene, key: Key) -> Response:
         return Response(self.cancel() if key.name in ("backspace", "delete") else self)
@@ -142,18 +151,18 @@ class Stretching(Tool):
         return Overlay(figure=self._ring(scene), catch=self.catch, readout=(self.catch.at, self._readout()))
 
     def _ring(self, scene: Scene) -> Floats:
-        return self.idle.ring(scene.settings, self.start, self.catch.at)
+        return self.idle.figure.ring(scene.settings, self.start, self.catch.at)
 
     def _caught(self, scene: Scene, pointer: Pointer) -> Catch:
         ground = ground_for_drawing(scene.document, self.side)
-        if self.idle.round:
+        if self.idle.figure.round:
             return caught(pointer, scene.settings.snapping, replace(ground, origins=(self.start,)))
         catch = caught(replace(pointer, shift=False), scene.settings.snapping, ground)
         return Catch(_squared(self.start, catch.at)) if pointer.shift else catch
 
     def _readout(self) -> str:
         x, y = self.catch.at[0] - self.start[0], self.catch.at[1] - self.start[1]
-        if self.idle.round:
+        if self.idle.figure.round:
             return f"{distance(self.start, self.catch.at):.4g}   {degrees(atan2(y, x)):.0f}°"
         return f"{abs(x):.4g} × {abs(y):.4g}"
 

@@ -101,7 +101,7 @@ class Hand:
 
     def take(self, name: str) -> "Hand":
         """Take up a tool."""
-        return self.after(Response(TOOLS[name]()))[0]
+        return self.after(Response(TOOLS[name]))[0]
 
     def adjust(self, document: Document, settings: Settings) -> Taken:
         """Change settings; what was just made follows them."""
@@ -130,7 +130,7 @@ class Hand:
 
     def select(self, selection: Selection) -> "Hand":
         """Select something else, with the tool in hand put down and taken up again."""
-        return replace(self, tool=TOOLS[self.tool.name](), selection=selection, refusal=None, lost=0)
+        return replace(self, tool=TOOLS[self.tool.name], selection=selection, refusal=None, lost=0)
 
     def for_document(self, document: Document) -> "Hand":
         """Give the hand that begins on a document: it draws on empty canvases."""

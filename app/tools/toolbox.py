@@ -1,7 +1,7 @@
-"""All tools by their names."""
+"""All tools by their names, with nothing begun."""
 
 from app.tools.draw import DrawTool
-from app.tools.figure import EllipseTool, RectangleTool, RegularPolygonTool, StarTool
+from app.tools.figure import FIGURES, FigureTool
 from app.tools.freehand import FreehandTool
 from app.tools.mark import MarkTool
 from app.tools.picture import PictureTool
@@ -10,19 +10,16 @@ from app.tools.select import SelectTool
 from app.tools.text import TextTool
 from app.tools.tool import Tool
 
-TOOLS: dict[str, type[Tool]] = {
+TOOLS: dict[str, Tool] = {
     tool.name: tool
     for tool in (
-        SelectTool,
-        DrawTool,
-        FreehandTool,
-        RectangleTool,
-        EllipseTool,
-        RegularPolygonTool,
-        StarTool,
-        TextTool,
-        PictureTool,
-        PlaceTool,
-        MarkTool,
+        SelectTool(),
+        DrawTool(),
+        FreehandTool(),
+        *(FigureTool(figure) for figure in FIGURES),
+        TextTool(),
+        PictureTool(),
+        PlaceTool(),
+        MarkTool(),
     )
 }

@@ -54,7 +54,7 @@ def how_to_draw(tool: Tool) -> str:
         return translate("Canvas", "Click to set each vertex; click the first one again to close.")
     if tool.name in ("select", "mark", "picture"):
         return translate("Canvas", "Take a tool from the left, drop a picture to draw over, or open a file.")
-    return words.hint(TOOLS[tool.name]().hint)  # not what to do with the shape just made on the other canvas
+    return words.hint(TOOLS[tool.name].hint)  # not what to do with the shape just made on the other canvas
 
 
 def paint_line(painter: QPainter, theme: Theme, frame: QRectF, text: str) -> None:

@@ -149,4 +149,4 @@ class ExportDialog(QDialog):
         self._returning.setEnabled(layout == "animation")
         for box in (self._marks, self._pieces, self._skeleton):
             box.setEnabled(layout != "numbers")
-        self._formats.setText(", ".join(each.name for each in FORMATS[layout]))
+        self._formats.setText(", ".join(str(words.retold(each.name)) for each in FORMATS[layout]))

@@ -4,6 +4,10 @@
 <context>
     <name></name>
     <message>
+        <source>animated SVG</source>
+        <translation>animiertes SVG</translation>
+    </message>
+    <message>
         <source>{name} ends in &quot;{ending}&quot;</source>
         <translation>{name} endet auf „{ending}“</translation>
     </message>

@@ -36,7 +36,7 @@ class Format:
     Attributes
     ----------
     name : str
-        What people call it.
+        What people call it; a text that was `told` where it is not the same in every language.
     ending : str
         That of its files' names, with the dot.
     layouts : tuple of Layout
@@ -61,7 +61,7 @@ class Format:
 
 FORMATS = (
     Format("SVG", ".svg", PICTURES, "svg", numbered=True),
-    Format("animated SVG", ".svg", ("animation",), "svg_animation"),
+    Format(told("animated SVG"), ".svg", ("animation",), "svg_animation"),
     Format("EPS", ".eps", PICTURES, "eps", numbered=True),
     Format("PostScript", ".ps", ("frames", "row", "sheet"), "postscript"),
     Format("PDF", ".pdf", ("frames", "row", "sheet"), "pdf"),

@@ -26,6 +26,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from starskel.errors import Told
+from starskel.export.formats import FORMATS
+
 CONTROLS = (
     QAbstractButton,
     QAbstractItemView,
@@ -36,6 +39,9 @@ CONTROLS = (
     QProgressBar,
 )
 """What somebody works with; besides, whatever the Tab key reaches."""
+
+FORMAT_NAMES = tuple(each.name for each in FORMATS if not isinstance(each.name, Told))
+"""Those of formats that are the same in every language."""
 
 LATIN = re.compile(r"[A-Za-z]{3,}")
 
@@ -166,7 +172,7 @@ def _texts(widget: QWidget) -> list[str]:
 def _bare(text: str, names: tuple[str, ...]) -> str:
     """Give a text without what is the same in every language: keys, and names given to things."""
     keys = ("Ctrl", "Shift", "Alt", "Backspace", "PgDown", "PgUp", "Del", "Esc", "Home", "End")
-    for name in (*keys, "starskel", "SVG", "EPS", *names):
+    for name in (*keys, "starskel", *FORMAT_NAMES, *names):
         text = text.replace(name, "")
     return text
 

@@ -2,11 +2,11 @@ import pytest
 
 from app.model.document import Document
 from app.model.selection import Selection
-from app.tools.figure import EllipseTool, FigureTool, RectangleTool, RegularPolygonTool, StarTool
+from app.tools.figure import FIGURES, Figure, FigureTool
 from app.tools.tool import Pointer, Response, Scene
 
 SCENE = Scene(Document(), Selection())
-TOOLS = (RectangleTool, EllipseTool, RegularPolygonTool, StarTool)
+KINDS = {figure.name: figure for figure in FIGURES}
 
 
 def at(x: float, y: float, *, shift: bool = False) -> Pointer:
@@ -17,9 +17,9 @@ def drag(tool: FigureTool, start: Pointer, end: Pointer) -> Response:
     return tool.press(SCENE, start).tool.move(SCENE, end).tool.release(SCENE, end)
 
 
-@pytest.mark.parametrize("tool", TOOLS)
-def test_a_drag_previews_and_its_release_draws_what_was_shown(tool: type[FigureTool]) -> None:
-    held = tool().press(SCENE, at(0, 0)).tool.move(SCENE, at(8, 5)).tool
+@pytest.mark.parametrize("figure", FIGURES, ids=list(KINDS))
+def test_a_drag_previews_and_its_release_draws_what_was_shown(figure: Figure) -> None:
+    held = FigureTool(figure).press(SCENE, at(0, 0)).tool.move(SCENE, at(8, 5)).tool
     shown = held.overlay(SCENE, "source").figure
     commit = held.release(SCENE, at(8, 5)).commit
     assert shown is not None
@@ -27,20 +27,20 @@ def test_a_drag_previews_and_its_release_draws_what_was_shown(tool: type[FigureT
     assert sorted(commit.document.vertices("source").tolist()) == sorted(shown.tolist())
 
 
-@pytest.mark.parametrize("tool", TOOLS)
-def test_a_shaky_click_draws_nothing(tool: type[FigureTool]) -> None:
-    assert drag(tool(), at(0, 0), at(0.1, 0.1)).commit is None
+@pytest.mark.parametrize("figure", FIGURES, ids=list(KINDS))
+def test_a_shaky_click_draws_nothing(figure: Figure) -> None:
+    assert drag(FigureTool(figure), at(0, 0), at(0.1, 0.1)).commit is None
 
 
 def test_shift_makes_squares_whichever_way_the_drag_goes() -> None:
     for x, y in ((8, 5), (-8, 5), (3, -8)):
-        commit = drag(RectangleTool(), at(0, 0), at(x, y, shift=True)).commit
+        commit = drag(FigureTool(KINDS["rectangle"]), at(0, 0), at(x, y, shift=True)).commit
         assert commit is not None
         ring = commit.document.vertices("source")
         assert (ring.max(axis=0) - ring.min(axis=0)).tolist() == [8, 8]
 
 
 def test_shift_turns_a_polygon_by_steps() -> None:
-    commit = drag(RegularPolygonTool(), at(0, 0), at(1, 9, shift=True)).commit
+    commit = drag(FigureTool(KINDS["regular-polygon"]), at(0, 0), at(1, 9, shift=True)).commit
     assert commit is not None
     assert commit.document.vertices("source")[0] == pytest.approx((0, 9))

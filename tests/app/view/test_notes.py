@@ -42,11 +42,11 @@ def test_a_notice_without_room_lies_on_the_lower_edge() -> None:
 
 @pytest.mark.parametrize("name", ["freehand", "rectangle", "text"])
 def test_an_empty_canvas_tells_how_the_tool_in_hand_fills_it(name: str) -> None:
-    assert how_to_draw(TOOLS[name]()) == TOOLS[name]().hint
+    assert how_to_draw(TOOLS[name]) == TOOLS[name].hint
 
 
 def test_an_empty_canvas_says_nothing_about_the_shape_just_drawn_on_the_other(driver: Driver) -> None:
     driver.session.choose_tool("freehand")
     driver.drag("source", (10, 10), (50, 20), (90, 10), (90, 60), (50, 80), (10, 60), (10, 10))
     assert driver.document.source is not None
-    assert how_to_draw(driver.session.tool) == TOOLS["freehand"]().hint
+    assert how_to_draw(driver.session.tool) == TOOLS["freehand"].hint
