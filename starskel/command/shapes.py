@@ -24,7 +24,7 @@ class Way(NamedTuple):
 def ways_of(
     arguments: Namespace, pairs: Sequence[AnyPair], methods: Sequence[str], *, measured: bool
 ) -> list[Way]:
-    """Give a way for every method; a sheet of shapes shows the first also part by part.
+    """Give a way for every method; a sheet of shapes of several parts shows the first also part by part.
 
     Raises
     ------
@@ -40,7 +40,7 @@ def ways_of(
             "leave out --marks and --pieces",
         )
     ways = [Way(method, method, not arguments.separate) for method in methods]
-    if measured and shapes and len(pairs) == 1:
+    if measured and len(pairs) == 1 and any(_several(pair) for pair in shapes):
         ways.append(Way("parts separately", methods[0], False))
     return ways
 
@@ -53,3 +53,7 @@ def shape_blends(pair: MultiPair, ways: Sequence[Way]) -> Iterator[tuple[str, Sh
             joined = way.joined and pair.joined
             made = blend(matched, method=way.method, joined=joined, turns=pair.turns, progress=bar)
         yield way.name, made
+
+
+def _several(pair: MultiPair) -> bool:
+    return any(shape.outer.count(-1) > 1 for shape in (pair.source, pair.target))

@@ -1,11 +1,13 @@
 """What the paper's figures claim, of the examples drawn after their captions."""
 
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
 import shapely
 
+import starskel
 from starskel.blending.blend import blend
 from starskel.correspondence.match import match
 from starskel.decomposition.decompose import decompose
@@ -28,9 +30,9 @@ def measured(number, method):
     return measure(blend(pair_of(number), method=method), FRAMES)
 
 
-def test_there_is_an_example_of_each_figure_that_shows_two_polygons():
+def test_there_is_an_example_of_each_figure_that_shows_shapes():
     numbers = [figure_number(name) for name in example_names() if figure_number(name)]
-    assert numbers == [1, 2, 3, 4, 5, 6, 8, 10, 11]
+    assert numbers == [1, 2, 3, 4, 5, 6, 8, 9, 10, 11]
 
 
 def test_figures_come_last_and_say_what_they_show():
@@ -85,6 +87,23 @@ def test_figure_8_needs_two_steiner_vertices_for_four_pieces():
     assert len(decomposition.source) - len(pair) == 2
     assert len(decomposition.pieces) == 4
     assert measured(8, "star-skeleton").simple
+
+
+@pytest.mark.parametrize("method", ["star-skeleton", "stitched", "rigid"])
+def test_figure_9_parts_move_together_by_the_meta_skeleton(method):
+    pair = example("figure-9-fish").pair(0)
+    together, separate = (
+        starskel.blend(pair.source, pair.target, pair.marks, method, pairing=pair.pairing, joined=joined)
+        for joined in (True, False)
+    )
+    times = np.linspace(0, 1, 21)
+    for rings in together.frames(times):
+        parts = [shapely.Polygon(ring) for ring in rings]
+        assert sum(part.area for part in parts) - shapely.union_all(parts).area <= 1e-9
+        # every part has its neighbours beside it, as at both ends, and none is left behind
+        assert all(0 < one.distance(other) < 6 for one, other in pairwise(parts))
+    crowded = [shapely.Polygon(ring) for ring in separate.at(0.5)]
+    assert shapely.union_all(crowded).area < 0.75 * sum(part.area for part in crowded)
 
 
 @pytest.mark.parametrize("method", ["star-skeleton", "stitched"])
