@@ -1,7 +1,7 @@
 """From blends to files: what to draw, and how it is laid out."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
 
@@ -131,5 +131,7 @@ def write_choice(path: Path, name: str, choice: Choice, stretches: Sequence[Stre
     methods = (
         [result.method for result in stretches[0].results] if choice.layout == "sheet" else [choice.method]
     )
+    if len(stretches) == 1:  # of a step shown by itself the title tells which it is
+        name, stretches = f"{name} {stretches[0].name}".strip(), [replace(stretches[0], name="")]
     tracks = tuple(Track(method, tuple(each.scene(method) for each in stretches)) for method in methods)
     write(path, Film(name, tracks, choice.settings))

@@ -39,7 +39,7 @@ def export(window: QWidget, session: Session, player: Player, display: Display, 
     if path is None:
         return None
     try:
-        write_choice(path, file.name, choice, whole if choice.whole else (shown,))
+        write_choice(path, session.document.name or file.name, choice, whole if choice.whole else (shown,))
     except StarskelError as error:
         complain(window, translate("Files", "{name} was not written").format(name=path.name), error)
         return None

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import msgspec
 
@@ -119,6 +119,15 @@ class _Document(msgspec.Struct, frozen=True):
 
 _EVEN = ((1 / 3, 1 / 3), (2 / 3, 2 / 3))
 _VERSIONS: tuple[type[_First] | type[_Second] | type[_Document], ...] = (_First, _Second, _Document)
+
+
+def project_schema() -> dict[str, Any]:
+    """Give the JSON schema of project files of this version; `resources/project.schema.json` holds it."""
+    about = {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": f"{FORMAT}, version {VERSION}",
+    }
+    return about | msgspec.json.schema(_Document)
 
 
 def read_project(path: Path) -> Project:

@@ -8,7 +8,8 @@ from app.compute import Result
 from app.export import FORMATS, Choice, Layout, Stretch, write_choice
 from app.model.easing import Easing
 from starskel import InvalidFile, blend, match, measure
-from starskel.files.examples import example
+from starskel.cli import main
+from starskel.files.examples import example, resource_folder
 from starskel.files.step import Step
 
 
@@ -87,3 +88,36 @@ def test_the_whole_sequence_takes_all_steps_as_long_as_each_lasts(
     write_choice(tmp_path / "sheet.svg", "Star", Choice("sheet", "vertex", whole=True), [there, again])
     sheet = (tmp_path / "sheet.svg").read_text()
     assert [sheet.count(f">{name}<") for name in ("vertex, A-B", "vertex, B-C")] == [1, 1]
+
+
+@pytest.mark.parametrize(
+    ("layout", "ending", "words"),
+    [
+        ("row", ".svg", ["--frames", "5", "--marks"]),
+        ("frame", ".eps", ["--at", "0.25"]),
+        ("pages", ".pdf", ["--frames", "3"]),
+        ("sheet", ".svg", ["--layout", "sheet", "--method", "edge-angle"]),
+        ("animation", ".svg", ["--layout", "animation", "--returning"]),
+        ("animation", ".json", ["--layout", "animation", "--duration", "2"]),
+        ("numbers", ".csv", ["--frames", "4"]),
+    ],
+)
+def test_the_command_writes_the_same_bytes(
+    layout: Layout, ending: str, words: list[str], results: tuple[Result, ...], tmp_path: Path
+) -> None:
+    frames = int(words[1]) if words[0] == "--frames" else 6
+    choice = Choice(
+        layout,
+        "vertex",
+        frames=frames,
+        t=0.25,
+        marks="--marks" in words,
+        seconds=2.0 if "--duration" in words else 3.0,
+        returning="--returning" in words,
+    )
+    project = example("star")
+    write_choice(tmp_path / f"editor{ending}", project.name, choice, [Stretch(results, project.steps[0])])
+    path = str(resource_folder() / "examples" / "star.json")
+    out = str(tmp_path / f"command{ending}")
+    assert main(["render", path, "--method", "vertex", *words, "-o", out]) == 0
+    assert (tmp_path / f"command{ending}").read_bytes() == (tmp_path / f"editor{ending}").read_bytes()
