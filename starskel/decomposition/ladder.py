@@ -6,7 +6,7 @@ them and a fan round it; the pockets that it leaves are cells again. Where no pl
 or the overlay needs no more Steiner vertices, the overlay ends the climb.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from starskel.decomposition.links import links_of
 from starskel.decomposition.minimal import least_stuck_cells
 from starskel.decomposition.overlay import crossings, overlay
 from starskel.decomposition.pieces import Piece
-from starskel.decomposition.steiner import Fan, fans
+from starskel.decomposition.steiner import fans
 from starskel.decomposition.tiling import Tiling
 from starskel.task import Task
 from starskel.triangulation import Grounds, triangulate
@@ -49,15 +49,22 @@ def triangulated(tiling: Tiling, cell: Piece, task: Task) -> Grounds:
     return source, triangulate(tiling.target, ring)
 
 
-def by_fans(tiling: Tiling, grounds: Grounds, most: int, task: Task) -> list[Tiling]:
-    """Free a stuck cell in the most promising ways that begin with one Steiner vertex, the best first."""
+def by_fans(tiling: Tiling, grounds: Grounds, most: int, free: Free, task: Task) -> Iterator[Tiling]:
+    """Free a stuck cell in the most promising ways that begin with one Steiner vertex, the best first.
+
+    The cells that are stuck after that are freed in the way given.
+    """
     (cell,) = tiling.pieces
-    return [_fill(fan, task) for fan in fans(tiling, cell, grounds, most, task)]
+    for fan in fans(tiling, cell, grounds, most, task):
+        tiled = fan.tiling
+        for pocket in fan.pockets:
+            tiled = climb(tiled, pocket, free, task.quiet)
+        yield tiled
 
 
 def by_fan(tiling: Tiling, grounds: Grounds, task: Task) -> Tiling:
     """Free a stuck cell by that Steiner vertex which promises most."""
-    return cheapest(tiling, grounds, by_fans(tiling, grounds, 1, task))
+    return cheapest(tiling, grounds, list(by_fans(tiling, grounds, 1, by_fan, task)))
 
 
 def cheapest(tiling: Tiling, grounds: Grounds, found: Sequence[Tiling]) -> Tiling:
@@ -67,10 +74,3 @@ def cheapest(tiling: Tiling, grounds: Grounds, found: Sequence[Tiling]) -> Tilin
     if best is None or len(cell) + crossings(*grounds) < best.cost()[0]:
         return overlay(tiling, cell, *grounds)
     return best
-
-
-def _fill(fan: Fan, task: Task) -> Tiling:
-    tiling = fan.tiling
-    for pocket in fan.pockets:
-        tiling = climb(tiling, pocket, by_fan, task.quiet)
-    return tiling

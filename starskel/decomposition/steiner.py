@@ -21,6 +21,9 @@ MOST_PLACES = 300
 MOST_SAMPLES = 3000
 """Places that are looked at in each polygon, one at least in each triangle."""
 
+_AT_ONCE = 1 << 20
+"""Vertices of pairs of places that are compared at once: all pairs would take gigabytes."""
+
 _WEIGHTS = np.array(
     [(31, 33, 36), (67, 16, 17), (15, 68, 17), (17, 15, 68), (41, 40, 19), (42, 19, 39), (18, 41, 41)],
     dtype=float,
@@ -75,9 +78,10 @@ def _places(ground: Triangulation, task: Task) -> _Places:
 def _best(first: Relation, second: Relation, most: int, task: Task) -> list[tuple[int, int]]:
     """Rank pairs of places by what they leave hidden."""
     hardness = np.empty((len(first), len(second)))
-    for i, sees in enumerate(first):  # one row at a time: all pairs at once would take gigabytes
+    rows = max(1, _AT_ONCE // second.size)
+    for start in range(0, len(first), rows):
         task.reach(0)
-        hardness[i] = _hardness(sees & second)
+        hardness[start : start + rows] = _hardness(first[start : start + rows, None] & second)
     ranked = np.argsort(hardness, axis=None, kind="stable")[:most]
     ranked = ranked[np.isfinite(hardness.ravel()[ranked])]
     return [(int(i), int(j)) for i, j in zip(*np.unravel_index(ranked, hardness.shape), strict=True)]
@@ -89,13 +93,14 @@ def _hardness(seen: Relation) -> Floats:
     It is infinite where a pocket, its run of hidden vertices and three more, is no smaller than the polygon:
     where all vertices seen are among three neighbours.
     """
-    deep, neighbours = ~seen, seen.astype(np.intp)
-    for step in range(1, EASY + 1):
-        deep &= ~np.roll(seen, step, axis=1)
-        neighbours += np.roll(seen, step, axis=1)
-    pockets = (seen & ~np.roll(seen, 1, axis=1)).sum(axis=1)
-    hardness: Floats = seen.shape[1] * deep.sum(axis=1) + pockets.astype(np.float64)
-    hardness[neighbours.max(axis=1) == seen.sum(axis=1)] = np.inf
+    n = seen.shape[-1]
+    cyclic = np.concatenate([seen[..., -EASY:], seen], axis=-1)
+    earlier = [cyclic[..., EASY - step : EASY - step + n] for step in range(EASY + 1)]
+    deep = ~np.logical_or.reduce(earlier)
+    pockets = seen & ~earlier[1]
+    neighbours = np.add.reduce(earlier, dtype=np.int8)
+    hardness: Floats = n * deep.sum(axis=-1) + pockets.sum(axis=-1).astype(np.float64)
+    hardness[neighbours.max(axis=-1) == seen.sum(axis=-1)] = np.inf
     return hardness
 
 
