@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from app.compute import USUAL_METHODS, Blends, MethodState, Result, Trace, subjects_of, trace_of
+from app.compute import USUAL_METHODS, Blends, MethodState, Morphs, Result, Trace, subjects_of, trace_of
 from app.model.document import Document
 from app.model.filing import document_of, project_of
 from app.model.history import History
@@ -33,6 +33,8 @@ class Session(QObject):
         What undo and redo go through.
     path : Path or None
         The project file, None before it has one.
+    morphs : Morphs
+        What paints pictures inside the blends.
     pointed : (side, int) or None
         The vertex that is pointed at, on a canvas or in the table of marks.
     """
@@ -61,6 +63,7 @@ class Session(QObject):
         self._blends.suggested.connect(self._take_marks)
         self._blends.progressed.connect(self.progressed)
         self._blends.busy_changed.connect(self.busy_changed)
+        self.morphs = Morphs(self)
         self.hand = Hand()
         self.path: Path | None = None
         self.pointed: Pointed | None = None
@@ -281,6 +284,7 @@ class Session(QObject):
     def close(self) -> None:
         """End the worker; to be called before the program ends."""
         self._blends.close()
+        self.morphs.close()
 
     # files
 

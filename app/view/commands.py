@@ -162,6 +162,14 @@ COMMANDS = (
         True,
     ),
     Command(
+        "pictures",
+        QT_TRANSLATE_NOOP("Command", "Pi&ctures in the Shapes"),
+        QT_TRANSLATE_NOOP("Command", "Show the pictures in the frames, the one fading into the other"),
+        ("Ctrl+6",),
+        "",
+        True,
+    ),
+    Command(
         "light",
         QT_TRANSLATE_NOOP("Command", "&Light"),
         QT_TRANSLATE_NOOP("Command", "Dark writing on light ground"),
@@ -331,6 +339,7 @@ MENUS = (
             "onion",
             "ways",
             "numbers",
+            "pictures",
             "",
             "light",
             "dark",

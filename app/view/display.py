@@ -24,6 +24,8 @@ class Layers:
         The paths of the vertices through time.
     numbers : bool
         The numbers of the vertices.
+    pictures : bool
+        The pictures of source and target in the frames.
     """
 
     pieces: bool = False
@@ -31,6 +33,7 @@ class Layers:
     onion: bool = False
     ways: bool = False
     numbers: bool = False
+    pictures: bool = True
 
 
 class Display(QObject):

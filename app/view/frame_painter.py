@@ -35,8 +35,13 @@ class FramePainter:
         self._camera = camera
         self._layers = layers
 
-    def paint(self, result: Result, t: float, looks: Sequence[Look], *, stale: bool) -> None:
-        """Paint fill or star pieces, outline, skeleton, and the places where the frame crosses itself."""
+    def paint(
+        self, result: Result, t: float, looks: Sequence[Look], *, stale: bool, pictured: bool = False
+    ) -> None:
+        """Paint fill or star pieces, outline, skeleton, and the places where the frame crosses itself.
+
+        Where there are pictures inside, neither fill nor outline is painted over them.
+        """
         blend, crossing = result.blend, verdicts.crossing_rings(result.report, t)
         self._painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._painter.setOpacity(STALE if stale else 1.0)
@@ -46,10 +51,10 @@ class FramePainter:
         shown = [look.visible for look in looks[: len(rings)]]
         if isinstance(blend, PieceBlend) and points is not None and self._layers.pieces:
             paint_pieces(self._painter, self._theme, blend.decomposition, self._camera.to_screen(points))
-        else:
+        elif not pictured:
             self._fill(result, rings, t, looks, shown)
         for number, ring in enumerate(rings):
-            if shown[number]:
+            if shown[number] and (number in crossing or not pictured):
                 usual = looks[number].colour(self._theme, t)
                 self._outline(ring, QColor(self._theme.refused) if number in crossing else usual)
         if self._layers.skeleton:

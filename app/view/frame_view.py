@@ -2,7 +2,16 @@
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Slot
-from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPixmap, QResizeEvent, QWheelEvent
+from PySide6.QtGui import (
+    QColor,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPixmap,
+    QResizeEvent,
+    QShowEvent,
+    QWheelEvent,
+)
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.compute import STEERED, MethodState
@@ -11,6 +20,7 @@ from app.model.texts import QT_TRANSLATE_NOOP
 from app.session import Session
 from app.tools.tool import as_point
 from app.view.camera import Camera
+from app.view.carried import CarriedPictures
 from app.view.display import Display
 from app.view.drawing import layer_for, painting
 from app.view.frame_layers import paint_ghosts, paint_ways
@@ -45,12 +55,15 @@ class FrameView(QWidget):
         self.camera = Camera()
         self._fitted = Camera()
         self._backdrop: QPixmap | None = None
+        self._pictures = CarriedPictures(session, player, self)
         self._held: QPointF | None = None
         self._pressed = QPointF()
         self.setMouseTracking(True)
         self.setMinimumSize(120, 90)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        player.t_changed.connect(self.update)
+        player.t_changed.connect(self._follow)
+        session.document_changed.connect(self._follow)
+        self._pictures.changed.connect(self.update)
         session.pointed_changed.connect(self.update)
         display.changed.connect(self._renew)
         display.moved.connect(self._aim)
@@ -80,7 +93,18 @@ class FrameView(QWidget):
     @Slot()
     def _renew(self) -> None:
         self._backdrop = None
+        self._follow()
+
+    @Slot()
+    def _follow(self) -> None:
+        """Show another moment, or the same in another way."""
+        wanted = self._display.layers.pictures and not self._state.stale and self.isVisible()
+        result = self._state.result if wanted else None
+        self._pictures.ask(result, self.camera, self.size(), self.devicePixelRatioF())
         self.update()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        self._follow()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         place = event.position()
@@ -141,11 +165,14 @@ class FrameView(QWidget):
         result = self._state.result
         if result is not None:
             self._paint_backdrop(painter)
+            self._pictures.paint(painter, self.camera)
+            pictured = self._pictures.t is not None
+            t = self._player.t if self._pictures.t is None else self._pictures.t
             frame = FramePainter(painter, theme, self.camera, self._display.layers)
             looks = looks_of(self._session.document)
-            frame.paint(result, self._player.t, looks, stale=self._state.stale)
+            frame.paint(result, t, looks, stale=self._state.stale, pictured=pictured)
             if (trace := self._session.trace) is not None and not self._state.stale:
-                frame.paint_trace(result, self._player.t, self._session.document.link, trace.row)
+                frame.paint_trace(result, t, self._session.document.link, trace.row)
         if self.message:
             painter.setPen(QColor(theme.muted))
             room = QRectF(self.rect()).adjusted(14, 10, -14, -10)

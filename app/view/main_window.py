@@ -60,6 +60,8 @@ class MainWindow(QMainWindow):
         self.backgrounds = Backgrounds(self, session, self.canvases)
         self.convenience = Convenience(self, session)
         self.actions_table = Actions(self, self._handlers())
+        for name in LAYERS:
+            self.actions_table[name].setChecked(getattr(self.display.layers, name))
         self.sequence = SequenceBar(session, self.player, self.sequencing, self.actions_table)
         self.panels = Panels(session, self.player, self.display)
         self.timeline = Timeline(session, self.player, self.actions_table)

@@ -140,7 +140,7 @@ def of_project(path: Path, project: Project, step: int) -> ImagePair:
     return ImagePair(shapes, placed[0], placed[1])
 
 
-def placed_image(picture: Picture, name: str) -> PlacedImage:
+def placed_image(picture: Picture, name: str = "the picture") -> PlacedImage:
     """Give a picture of a project as pixels in their place.
 
     Raises
