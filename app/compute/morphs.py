@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, QThread, Signal, Slot
 
-from starskel import Blend, Decomposition
 from starskel.errors import Cancelled, StarskelError
 from starskel.files.picture import Picture
 
-if TYPE_CHECKING:
+if TYPE_CHECKING:  # what blends and paints is loaded by the worker, so that the window opens sooner
+    from starskel import Blend, Decomposition
     from starskel.images.morph import ImageMorph, Quality
 
 KEPT = 8
@@ -42,10 +42,10 @@ class Carried:
         That of the blend's pair, where it is known already.
     """
 
-    blend: Blend
+    blend: "Blend"
     source: Picture | None
     target: Picture | None
-    decomposition: Decomposition | None = None
+    decomposition: "Decomposition | None" = None
 
     def same(self, other: "Carried") -> bool:
         """Tell whether another one looks the same."""

@@ -9,8 +9,8 @@ from app.compute.request import Result
 from app.session import Session
 from app.view.camera import Camera
 from app.view.player import Player
-from starskel import Decomposition
 from starskel.blending.pieces import PieceBlend
+from starskel.decomposition.pieces import Decomposition
 
 
 class CarriedPictures(QObject):

@@ -448,62 +448,6 @@
         <translation>wählen Sie ein Verfahren, und für jedes eine eigene Datei</translation>
     </message>
     <message>
-        <source>there is no picture</source>
-        <translation>es gibt kein Bild</translation>
-    </message>
-    <message>
-        <source>give one for the source or the target</source>
-        <translation>geben Sie eines für die Ausgangsform oder das Ziel an</translation>
-    </message>
-    <message>
-        <source>the view {view} has no area</source>
-        <translation>der Ausschnitt {view} hat keine Fläche</translation>
-    </message>
-    <message>
-        <source>give its left, bottom, right and top</source>
-        <translation>geben Sie links, unten, rechts und oben an</translation>
-    </message>
-    <message>
-        <source>an image of {width} × {height} pixels</source>
-        <translation>ein Bild von {width} × {height} Pixeln</translation>
-    </message>
-    <message>
-        <source>give from 1 to {most} pixels a side</source>
-        <translation>geben Sie für jede Seite 1 bis {most} Pixel an</translation>
-    </message>
-    <message>
-        <source>the fade gives {share:g}</source>
-        <translation>die Überblendung ergibt {share:g}</translation>
-    </message>
-    <message>
-        <source>let it give numbers from 0 to 1</source>
-        <translation>lassen Sie sie Zahlen von 0 bis 1 ergeben</translation>
-    </message>
-    <message>
-        <source>a picture of shape {shape} and type {type}</source>
-        <translation>ein Bild der Gestalt {shape} vom Typ {type}</translation>
-    </message>
-    <message>
-        <source>give an array of shape (h, w, 4) or (h, w, 3) of uint8</source>
-        <translation>geben Sie ein Feld der Gestalt (h, w, 4) oder (h, w, 3) aus uint8 an</translation>
-    </message>
-    <message>
-        <source>a picture of {width} × {height} pixels</source>
-        <translation>ein Bild von {width} × {height} Pixeln</translation>
-    </message>
-    <message>
-        <source>scale it down to at most {most} pixels a side</source>
-        <translation>verkleinern Sie es auf höchstens {most} Pixel je Seite</translation>
-    </message>
-    <message>
-        <source>the placement {placement} of a picture</source>
-        <translation>die Lage {placement} eines Bildes</translation>
-    </message>
-    <message>
-        <source>give an affine map, two rows of three finite numbers, that keeps an area</source>
-        <translation>geben Sie eine affine Abbildung mit zwei Zeilen aus je drei endlichen Zahlen an, die eine Fläche übrig lässt</translation>
-    </message>
-    <message>
         <source>an open path was closed</source>
         <translation>ein offener Pfad wurde geschlossen</translation>
     </message>
@@ -682,22 +626,6 @@
     <message>
         <source>choose a larger tolerance: {most} are the most</source>
         <translation>wählen Sie eine größere Toleranz: höchstens {most} sind möglich</translation>
-    </message>
-    <message>
-        <source>a level of {level:g}</source>
-        <translation>eine Schwelle von {level:g}</translation>
-    </message>
-    <message>
-        <source>give a number between 0 and 1</source>
-        <translation>geben Sie eine Zahl zwischen 0 und 1 an</translation>
-    </message>
-    <message>
-        <source>a tolerance of {tolerance:g} pixels</source>
-        <translation>eine Toleranz von {tolerance:g} Pixeln</translation>
-    </message>
-    <message>
-        <source>give 0 or more</source>
-        <translation>geben Sie 0 oder mehr an</translation>
     </message>
 </context>
 <context>
@@ -973,6 +901,14 @@
     <message>
         <source>Onion &amp;Skin</source>
         <translation>Z&amp;wiebelhaut</translation>
+    </message>
+    <message>
+        <source>Pi&amp;ctures in the Shapes</source>
+        <translation>Bilder i&amp;n den Formen</translation>
+    </message>
+    <message>
+        <source>Show the pictures in the frames, the one fading into the other</source>
+        <translation>Die Bilder in den Zwischenformen zeigen, wie eines ins andere übergeht</translation>
     </message>
     <message>
         <source>Language of the S&amp;ystem</source>
@@ -1735,8 +1671,8 @@
         <translation>Abbildung 10: Hund und Katze</translation>
     </message>
     <message>
-        <source>Figure 10: a picture in each shape, carried along by the star pieces. One fades into the other while both turn and stretch with their outlines. The pictures are of Fluent Emoji (Microsoft, MIT licence).</source>
-        <translation>Abbildung 10: ein Bild in jeder Form, von den Sternstücken mitgenommen. Eines geht in das andere über, während sich beide mit ihren Umrissen drehen und dehnen. Die Bilder sind aus Fluent Emoji (Microsoft, MIT-Lizenz).</translation>
+        <source>A picture in each shape, carried along by the star pieces. One fades into the other while both turn and stretch with their outlines. The pictures are of Fluent Emoji (Microsoft, MIT licence).</source>
+        <translation>Ein Bild in jeder Form, von den Stern-Stücken mitgenommen: Eines geht ins andere über, während sich beide mit ihren Umrissen drehen und strecken. Die Bilder stammen aus Fluent Emoji (Microsoft, MIT-Lizenz).</translation>
     </message>
     <message>
         <source>Figure 11: a snake coils</source>

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from starskel.blending.frames import Blend, checked_times
 from starskel.decomposition.pieces import Decomposition
-from starskel.errors import StarskelError, told
+from starskel.errors import StarskelError
 from starskel.images.canvas import Canvas, Image, lay, trim
 from starskel.images.carriers import carriers_of
 from starskel.images.part import Part, Seen, part_of
@@ -97,7 +97,7 @@ class ImageMorph:
         should_stop: ShouldStop | None = None,
     ) -> None:
         if source is None and target is None:
-            raise StarskelError(told("there is no picture"), told("give one for the source or the target"))
+            raise StarskelError("there is no picture", "give one for the source or the target")
         task = Task(progress, should_stop)
         self.fade = fade
         self.blend = blend
@@ -218,8 +218,7 @@ def _checked_view(view: View) -> View:
     left, bottom, right, top = (float(side) for side in view)
     if not (np.isfinite([left, bottom, right, top]).all() and left < right and bottom < top):
         raise StarskelError(
-            told("the view {view} has no area", view=(left, bottom, right, top)),
-            told("give its left, bottom, right and top"),
+            f"the view {(left, bottom, right, top)} has no area", "give its left, bottom, right and top"
         )
     return left, bottom, right, top
 
@@ -232,15 +231,12 @@ def _checked_size(size: Size | int, view: View) -> Size:
     width, height = size
     if not 1 <= min(width, height) <= max(width, height) <= LARGEST_SIDE:
         raise StarskelError(
-            told("an image of {width} × {height} pixels", width=width, height=height),
-            told("give from 1 to {most} pixels a side", most=LARGEST_SIDE),
+            f"an image of {width} × {height} pixels", f"give from 1 to {LARGEST_SIDE} pixels a side"
         )
     return width, height
 
 
 def _checked_share(share: float) -> float:
     if not 0 <= share <= 1:
-        raise StarskelError(
-            told("the fade gives {share:g}", share=share), told("let it give numbers from 0 to 1")
-        )
+        raise StarskelError(f"the fade gives {share:g}", "let it give numbers from 0 to 1")
     return float(share)

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from starskel.errors import StarskelError, told
+from starskel.errors import StarskelError
 from starskel.polar import as_complex
 from starskel.predicates import Floats
 
@@ -77,14 +77,14 @@ def _checked_pixels(given: ArrayLike) -> Pixels:
     pixels = np.asarray(given)
     if pixels.dtype != np.uint8 or pixels.ndim != 3 or pixels.shape[2] not in (3, 4) or not pixels.size:
         raise StarskelError(
-            told("a picture of shape {shape} and type {type}", shape=pixels.shape, type=pixels.dtype),
-            told("give an array of shape (h, w, 4) or (h, w, 3) of uint8"),
+            f"a picture of shape {pixels.shape} and type {pixels.dtype}",
+            "give an array of shape (h, w, 4) or (h, w, 3) of uint8",
         )
     if max(pixels.shape) > LARGEST_SIDE:
         height, width = pixels.shape[:2]
         raise StarskelError(
-            told("a picture of {width} × {height} pixels", width=width, height=height),
-            told("scale it down to at most {most} pixels a side", most=LARGEST_SIDE),
+            f"a picture of {width} × {height} pixels",
+            f"scale it down to at most {LARGEST_SIDE} pixels a side",
         )
     if pixels.shape[2] == 3:
         return np.concatenate([pixels, np.full((*pixels.shape[:2], 1), 255, dtype=np.uint8)], axis=2)
@@ -95,7 +95,7 @@ def _checked_placement(given: ArrayLike) -> Floats:
     matrix = np.asarray(given, dtype=np.float64)
     if matrix.shape != (2, 3) or not np.isfinite(matrix).all() or not np.linalg.det(matrix[:, :2]):
         raise StarskelError(
-            told("the placement {placement} of a picture", placement=matrix.tolist()),
-            told("give an affine map, two rows of three finite numbers, that keeps an area"),
+            f"the placement {matrix.tolist()} of a picture",
+            "give an affine map, two rows of three finite numbers, that keeps an area",
         )
     return matrix

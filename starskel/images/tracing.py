@@ -101,11 +101,9 @@ def usual(pixels: Pixels, level: float = 0.5) -> By:
 
 def _check(level: float, tolerance: float) -> None:
     if not 0 < level < 1:
-        raise StarskelError(told("a level of {level:g}", level=level), told("give a number between 0 and 1"))
+        raise StarskelError(f"a level of {level:g}", "give a number between 0 and 1")
     if not 0 <= tolerance < np.inf:
-        raise StarskelError(
-            told("a tolerance of {tolerance:g} pixels", tolerance=tolerance), told("give 0 or more")
-        )
+        raise StarskelError(f"a tolerance of {tolerance:g} pixels", "give 0 or more")
 
 
 def _values(pixels: Pixels, by: By) -> Floats:
