@@ -17,7 +17,7 @@ from starskel.errors import Cancelled, StarskelError
 from starskel.files.picture import Picture
 
 if TYPE_CHECKING:  # what blends and paints is loaded by the worker, so that the window opens sooner
-    from starskel import Blend, Decomposition
+    from starskel import Blend, Decomposition, ShapeBlend
     from starskel.images.morph import ImageMorph, Quality
 
 KEPT = 8
@@ -35,14 +35,14 @@ class Carried:
 
     Attributes
     ----------
-    blend : Blend
+    blend : Blend or ShapeBlend
     source, target : Picture or None
         At least one of them is there.
     decomposition : Decomposition or None
         That of the blend's pair, where it is known already.
     """
 
-    blend: "Blend"
+    blend: "Blend | ShapeBlend"
     source: Picture | None
     target: Picture | None
     decomposition: "Decomposition | None" = None
@@ -66,6 +66,8 @@ class Wish:
         Width and height in pixels.
     view : (float, float, float, float)
         What of the document is seen: left, bottom, right, top.
+    hidden : tuple of int
+        Parts that are not to be seen, by the numbers of their links.
     careful : bool
         Whether it is to be as good as can be: what stands still.
     """
@@ -75,6 +77,7 @@ class Wish:
     t: float
     size: tuple[int, int]
     view: View
+    hidden: tuple[int, ...] = ()
     careful: bool = False
 
 
@@ -95,14 +98,18 @@ class _Painter(QObject):
         super().__init__()
         self.wanted: dict[str, Carried] = {}
         """What each panel wants now: written by the window, read here, one value at a time."""
-        self._prepared: OrderedDict[tuple[Blend, Picture | None, Picture | None], ImageMorph] = OrderedDict()
+        self._prepared: OrderedDict[tuple[Blend | ShapeBlend, Picture | None, Picture | None], ImageMorph] = (
+            OrderedDict()
+        )
 
     @Slot(object)
     def fulfil(self, wish: Wish) -> None:
         try:
             morph = self._morph(wish)
             quality: Quality = "precise" if wish.careful else "preview"
-            pixels = morph.at(wish.t, wish.size, wish.view, quality=quality, premultiplied=True)
+            pixels = morph.at(
+                wish.t, wish.size, wish.view, quality=quality, premultiplied=True, hidden=wish.hidden
+            )
         except Cancelled:
             self.done.emit(None)
         except StarskelError:

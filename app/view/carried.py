@@ -8,6 +8,7 @@ from app.compute.morphs import Carried, Shown, Wish, finer
 from app.compute.request import Result
 from app.session import Session
 from app.view.camera import Camera
+from app.view.parts import looks_of
 from app.view.player import Player
 from starskel.blending.pieces import PieceBlend
 from starskel.decomposition.pieces import Decomposition
@@ -44,7 +45,9 @@ class CarriedPictures(QObject):
         left, top = camera.to_document(0, 0)
         right, bottom = camera.to_document(camera.width, camera.height)
         pixels = round(size.width() * ratio), round(size.height() * ratio)
-        wish = Wish(result.method, carried, self._player.t, pixels, (left, bottom, right, top))
+        looks = enumerate(looks_of(self._session.document))
+        hidden = tuple(number for number, look in looks if not look.visible)
+        wish = Wish(result.method, carried, self._player.t, pixels, (left, bottom, right, top), hidden)
         self._session.morphs.wish(wish)
 
     @property
@@ -75,7 +78,7 @@ class CarriedPictures(QObject):
         for other in self._session.fresh_results:
             if other.blend.pair is result.blend.pair and isinstance(other.blend, PieceBlend):
                 return other.blend.decomposition
-        return result.blend.decomposition
+        return None
 
     @Slot(object)
     def _take(self, shown: Shown) -> None:

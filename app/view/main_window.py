@@ -60,8 +60,6 @@ class MainWindow(QMainWindow):
         self.backgrounds = Backgrounds(self, session, self.canvases)
         self.convenience = Convenience(self, session)
         self.actions_table = Actions(self, self._handlers())
-        for name in LAYERS:
-            self.actions_table[name].setChecked(getattr(self.display.layers, name))
         self.sequence = SequenceBar(session, self.player, self.sequencing, self.actions_table)
         self.panels = Panels(session, self.player, self.display)
         self.timeline = Timeline(session, self.player, self.actions_table)
@@ -110,6 +108,7 @@ class MainWindow(QMainWindow):
             self._follow_tool,
             self._follow_results,
             self._dress,
+            self._check_layers,
         ):
             follow()
 
@@ -263,6 +262,10 @@ class MainWindow(QMainWindow):
         reports = [result.report for result in self.session.fresh_results]
         if (t := next_crossing(reports, self.player.t)) is not None:
             self.player.stop_at(t)
+
+    def _check_layers(self) -> None:
+        for name in LAYERS:
+            self.actions_table[name].setChecked(getattr(self.display.layers, name))
 
     @Slot()
     def _switch_display(self) -> None:

@@ -33,6 +33,8 @@ class Carrier:
         Gives the (m, 2) nodes at t.
     in_source, in_target : bool
         Whether the part is there at all: one that grows from a point is not in the source.
+    number : int
+        That of its outline among the rings of a frame.
     """
 
     triangles: Indices
@@ -40,6 +42,7 @@ class Carrier:
     nodes_at: Callable[[float], Floats]
     in_source: bool = True
     in_target: bool = True
+    number: int = 0
 
 
 def carriers_of(
@@ -81,14 +84,14 @@ def _carrier(blend: ShapeBlend, part: PartPair, body: Body, task: Task) -> Carri
     edges = _edges(part.pair)
     if isinstance(body.blend, PieceBlend):
         moved = _Moved(body, body.blend, rows_at)
-        return Carrier(body.blend.mesh.triangles, edges, moved.nodes_at)
+        return Carrier(body.blend.mesh.triangles, edges, moved.nodes_at, number=places[0])
     source, target = (None not in sides for sides in zip(*part.links[:1], strict=True))
     pair = part.pair
     if part.alone:
         there = pair.source if source else pair.target
         pair = replace(pair, source=there, target=there)
     inner = InnerMesh(rows_at, decompose_region(pair, task.part(0, 0.9)), task.part(0.9, 1))
-    return Carrier(inner.mesh.triangles, edges, inner.mesh_at, source, target)
+    return Carrier(inner.mesh.triangles, edges, inner.mesh_at, source, target, places[0])
 
 
 @dataclass(frozen=True, eq=False)

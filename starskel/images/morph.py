@@ -15,7 +15,7 @@ place of that triangle in source and target tells where to look in both pictures
   picture of the shape that it belongs to.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from typing import Literal
 
 import numpy as np
@@ -117,7 +117,7 @@ class ImageMorph:
         margin = _MARGIN * (high - low).max()
         return (*(low - margin).tolist(), *(high + margin).tolist())
 
-    def at(
+    def at(  # noqa: PLR0913 -- a moment, and how it is to be seen
         self,
         t: float,
         size: Size | int = 512,
@@ -125,6 +125,7 @@ class ImageMorph:
         *,
         quality: Quality = "precise",
         premultiplied: bool = False,
+        hidden: Collection[int] = (),
     ) -> Pixels:
         """Give the frame at t, an (h, w, 4) array of uint8.
 
@@ -139,6 +140,8 @@ class ImageMorph:
             Preview is many times faster, for what moves on a screen.
         premultiplied : bool
             Whether colours are multiplied by alpha, as screens want them; else alpha is straight.
+        hidden : collection of int
+            Parts of a shape that are not painted, by the numbers of their outlines among a frame's rings.
 
         Raises
         ------
@@ -149,10 +152,11 @@ class ImageMorph:
         box = _checked_view(self.view if view is None else view)
         width, height = _checked_size(size, box)
         seen = Seen(time, (width, height), box, _checked_share(self.fade(time)))
+        parts = [part for part in self._parts if part.carrier.number not in hidden]
         if quality == "preview":
-            pixels = _painted(Preview(), self._parts, seen, premultiplied)
+            pixels = _painted(Preview(), parts, seen, premultiplied)
         else:
-            pixels = _painted(Precise(), self._parts, seen, premultiplied)
+            pixels = _painted(Precise(), parts, seen, premultiplied)
         return pixels.reshape(height, width, 4)
 
 

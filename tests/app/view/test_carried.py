@@ -1,13 +1,17 @@
 """Pictures in the frames of the panels."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtGui import QColor, QImage
 
 from app.view.frame_view import FrameView
+from starskel.files.key_shape import KeyShape
 from starskel.files.picture import Picture
 from starskel.files.project import Project
 from starskel.files.raster import png_of
+from starskel.files.step import Step
 from starskel.polygon import Polygon
 from tests.app.driver import Driver
 
@@ -20,13 +24,19 @@ def picture(colour: tuple[int, int, int], size: tuple[float, float]) -> Picture:
     return Picture(png_of(pixels), (size[0] / 2, size[1] / 2), size)
 
 
+def project(*pictures: Picture | None, methods: tuple[str, ...] = ("stitched",)) -> Project:
+    shapes = [
+        replace(KeyShape.of(ring), picture=own) for ring, own in zip((SQUARE, LONG), pictures, strict=True)
+    ]
+    return Project("p", tuple(shapes), (Step.of(),), methods)
+
+
 RED, BLUE = picture((255, 0, 0), (60, 60)), picture((0, 0, 255), (90, 40))
 
 
 @pytest.fixture
 def pictured(driver: Driver) -> Driver:
-    methods = ("stitched", "vertex")
-    driver.session.show_project(Project("p", (SQUARE, LONG), methods=methods, pictures=(RED, BLUE)))
+    driver.session.show_project(project(RED, BLUE, methods=("stitched", "vertex")))
     driver.wait_for_blends()
     return driver
 
@@ -69,7 +79,7 @@ def test_the_switch_puts_the_plain_frames_back(pictured: Driver) -> None:
 
 
 def test_frames_without_pictures_are_plain(pictured: Driver) -> None:
-    pictured.session.show_project(Project("p", (SQUARE, LONG), methods=("stitched",)))
+    pictured.session.show_project(project(None, None))
     pictured.wait_for_blends()
     pictured.window.player.stop_at(0)
     assert seen(pictured, "stitched").green() > 100
@@ -106,9 +116,8 @@ def test_a_shape_that_is_changed_is_plain_until_its_pictures_are_there(pictured:
 
 def test_a_picture_that_cannot_be_read_leaves_frames_plain(driver: Driver) -> None:
     broken = Picture(b"no picture", (30, 30), (60, 60))
-    project = Project("p", (SQUARE, LONG), methods=("stitched",), pictures=(broken, None))
     told: list[object] = []
     driver.session.morphs.shown.connect(told.append)
-    driver.session.show_project(project)
+    driver.session.show_project(project(broken, None))
     driver.wait(lambda: bool(told))
     assert seen(driver, "stitched").green() > 100

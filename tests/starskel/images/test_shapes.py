@@ -85,6 +85,13 @@ def test_later_parts_lie_over_earlier_ones_and_let_them_through():
     assert np.abs(alphas - 255 * (1 - (127 / 255) ** 2)).max() <= 1
 
 
+def test_a_hidden_part_is_not_painted():
+    blend = starskel.blend(SOURCE, TARGET, MARKS, pairing=PAIRING)
+    frame = ImageMorph(blend, PlacedImage(waves(*SIZE))).at(0, SIZE, VIEW, hidden=[2])
+    assert not frame[:, 75:].any()
+    assert frame[:, :70].any()
+
+
 def test_a_part_that_grows_only_has_the_picture_that_it_belongs_to():
     source, target = starskel.Shape([FRAME]), starskel.Shape([FRAME, DOT])
     blend = starskel.blend(source, target, pairing=[(0, 0), (None, 1)])
