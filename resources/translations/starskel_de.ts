@@ -1731,12 +1731,52 @@
         <translation>Keine Diagonale des einen ist eine des anderen; nur zusätzliche Steiner-Punkte zerlegen beide in dieselben Stern-Stücke.</translation>
     </message>
     <message>
+        <source>Figure 9: a fish turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The fish turns round in six parts. Joined by the meta-skeleton they swim on in line; interpolated separately, each moves straight to its place, and all run into each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Arms swing</source>
         <translation>Arme schwingen</translation>
     </message>
     <message>
         <source>A hand opens</source>
         <translation>Eine Hand öffnet sich</translation>
+    </message>
+    <message>
+        <source>A becomes R</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The hole of the A becomes that of the R; bridges to it are found that fit both letters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B becomes 8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two holes each, each paired with the one at its place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>i becomes j</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two parts, the dot and the stem, which move together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O becomes Q</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One hole, and a tail that grows out of the outline.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>C becomes S</source>
