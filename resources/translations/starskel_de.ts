@@ -1732,11 +1732,11 @@
     </message>
     <message>
         <source>Figure 9: a fish turns</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbildung 9: ein Fisch wendet</translation>
     </message>
     <message>
         <source>The fish turns round in six parts. Joined by the meta-skeleton they swim on in line; interpolated separately, each moves straight to its place, and all run into each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Fisch wendet in sechs Teilen. Vom Meta-Skelett verbunden schwimmen sie in einer Reihe; einzeln interpoliert geht jeder geradewegs an seinen Platz, und alle laufen ineinander.</translation>
     </message>
     <message>
         <source>Arms swing</source>
@@ -1748,35 +1748,35 @@
     </message>
     <message>
         <source>A becomes R</source>
-        <translation type="unfinished"></translation>
+        <translation>A wird R</translation>
     </message>
     <message>
         <source>The hole of the A becomes that of the R; bridges to it are found that fit both letters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Loch des A wird das des R; zu ihm finden sich Brücken, die in beide Buchstaben passen.</translation>
     </message>
     <message>
         <source>B becomes 8</source>
-        <translation type="unfinished"></translation>
+        <translation>B wird 8</translation>
     </message>
     <message>
         <source>Two holes each, each paired with the one at its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Je zwei Löcher, jedes gehört zu dem an seiner Stelle.</translation>
     </message>
     <message>
         <source>i becomes j</source>
-        <translation type="unfinished"></translation>
+        <translation>i wird j</translation>
     </message>
     <message>
         <source>Two parts, the dot and the stem, which move together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Teile, der Punkt und der Stamm, die sich zusammen bewegen.</translation>
     </message>
     <message>
         <source>O becomes Q</source>
-        <translation type="unfinished"></translation>
+        <translation>O wird Q</translation>
     </message>
     <message>
         <source>One hole, and a tail that grows out of the outline.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Loch, und ein Schweif, der aus dem Umriss wächst.</translation>
     </message>
     <message>
         <source>C becomes S</source>
