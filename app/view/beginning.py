@@ -47,7 +47,7 @@ class Beginning(QFrame):
             (self.tr("Mark"), self.tr("M, then click a vertex and the one that it becomes.")),
             (self.tr("Compare"), self.tr("All methods side by side: does a blend cross itself?")),
             (self.tr("Play"), self.tr("P plays; drag the slider to any moment.")),
-            (self.tr("Export"), self.tr("Ctrl+E writes keyframes as SVG or PostScript.")),
+            (self.tr("Export"), self.tr("Ctrl+E writes keyframes, an animation or numbers.")),
         )
 
     def switch(self, *, shown: bool) -> None:

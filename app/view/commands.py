@@ -33,7 +33,7 @@ COMMANDS = (
     Command(
         "export",
         QT_TRANSLATE_NOOP("Command", "&Export…"),
-        QT_TRANSLATE_NOOP("Command", "Export keyframes as SVG or PostScript"),
+        QT_TRANSLATE_NOOP("Command", "Export keyframes, an animation or numbers"),
         ("Ctrl+E",),
     ),
     Command(

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import QCoreApplication, QSize, Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QToolButton, QWidget
 
 from app.view import words
@@ -26,13 +27,29 @@ def fill_menu_bar(bar: QMenuBar, actions: Actions, submenus: Mapping[str, QMenu]
                 menu.addAction(actions[name])
 
 
+class CommandBar(QToolBar):
+    """A toolbar that leaves out the words beside its icons where the window is too narrow for them."""
+
+    def __init__(self, title: str) -> None:
+        super().__init__(title)
+        self.setMovable(False)
+        self.setIconSize(QSize(20, 20))
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self._wanted = 0
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        worded = Qt.ToolButtonStyle.ToolButtonTextBesideIcon
+        if self.toolButtonStyle() == worded:
+            self._wanted = self.sizeHint().width()
+        enough = self.width() >= self._wanted
+        self.setToolButtonStyle(worded if enough else Qt.ToolButtonStyle.ToolButtonIconOnly)
+
+
 def tool_bar(actions: Actions, submenus: Mapping[str, QMenu]) -> QToolBar:
     """Give the toolbar; names in the table that are no commands stand for buttons that open a menu."""
-    bar = QToolBar(translate("Menus", "Commands"))
+    bar = CommandBar(translate("Menus", "Commands"))
     bar.setObjectName("toolbar")
-    bar.setMovable(False)
-    bar.setIconSize(QSize(20, 20))
-    bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
     for name in TOOLBAR:
         if name in submenus:
             bar.addWidget(_menu_button(name, submenus[name]))

@@ -694,8 +694,8 @@
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>Ctrl+E writes keyframes as SVG or PostScript.</source>
-        <translation>Strg+E schreibt Schlüsselbilder als SVG oder PostScript.</translation>
+        <source>Ctrl+E writes keyframes, an animation or numbers.</source>
+        <translation>Strg+E schreibt Schlüsselbilder, eine Animation oder Zahlen.</translation>
     </message>
 </context>
 <context>
@@ -789,10 +789,6 @@
     <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportieren…</translation>
-    </message>
-    <message>
-        <source>Export keyframes as SVG or PostScript</source>
-        <translation>Schlüsselbilder als SVG oder PostScript exportieren</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -929,6 +925,10 @@
     <message>
         <source>Show frames before and after as faint outlines</source>
         <translation>Zwischenbilder davor und danach als blasse Umrisse zeigen</translation>
+    </message>
+    <message>
+        <source>Export keyframes, an animation or numbers</source>
+        <translation>Schlüsselbilder, eine Animation oder Zahlen exportieren</translation>
     </message>
     <message>
         <source>Ca&amp;ncel</source>

@@ -5,9 +5,11 @@ from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractSlider,
     QAbstractSpinBox,
+    QApplication,
     QComboBox,
     QMenu,
     QScrollBar,
+    QToolBar,
     QToolButton,
     QWidget,
 )
@@ -71,6 +73,24 @@ def test_a_button_that_shows_only_an_icon_tells_what_it_does(window: MainWindow)
             assert not button.icon().isNull(), button.toolTip()
             assert button.toolTip()
             assert QAccessible.queryAccessibleInterface(button).text(QAccessible.Text.Name)
+
+
+def test_a_toolbar_too_narrow_for_words_keeps_all_its_buttons(window: MainWindow) -> None:
+    bar = window.findChild(QToolBar, "toolbar")
+    assert bar is not None
+    window.resize(2000, 800)
+    QApplication.processEvents()
+    wanted = bar.sizeHint().width()
+    window.resize(window.minimumSizeHint().width(), 800)
+    bar.resize(wanted - 1, bar.height())
+    QApplication.processEvents()
+    buttons = [bar.widgetForAction(action) for action in bar.actions() if not action.isSeparator()]
+    assert bar.toolButtonStyle() == Qt.ToolButtonStyle.ToolButtonIconOnly
+    assert bar.sizeHint().width() < wanted
+    assert all(button.isVisible() for button in buttons)
+    window.resize(2000, 800)
+    QApplication.processEvents()
+    assert bar.toolButtonStyle() == Qt.ToolButtonStyle.ToolButtonTextBesideIcon
 
 
 def test_icons_are_drawn_for_screens_of_twice_the_density(window: MainWindow) -> None:
