@@ -1,17 +1,12 @@
 """From the name of a file to what is to be drawn of it: the ways of all methods through its steps."""
 
 from argparse import Namespace
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
-from starskel.blending.frames import Blend
-from starskel.command.methods import blends
 from starskel.command.opening import Opened, chosen_id, opened
-from starskel.command.shapes import Way, shape_blends, ways_of
+from starskel.command.shapes import blends_of, ways_of
 from starskel.export.film import Scene, Track
-from starskel.files.multi_pairs import MultiPair
-from starskel.files.project import AnyPair
 from starskel.quality import measure
-from starskel.shapes.shape_blend import ShapeBlend
 
 
 def opened_film(
@@ -47,17 +42,10 @@ def _tracks(
     ways = ways_of(arguments, list(pairs.values()), methods, measured=measured)
     scenes: dict[str, list[Scene]] = {way.name: [] for way in ways}
     for pair_id, pair in pairs.items():
-        for name, blend in _blends(pair, ways):
+        for name, blend in blends_of(pair, ways):
             report = measure(blend) if measured else None
             scenes[name].append(_scene(file, pair_id, Scene(blend, report)))
     return tuple(Track(name, tuple(own)) for name, own in scenes.items())
-
-
-def _blends(pair: AnyPair, ways: Sequence[Way]) -> Iterator[tuple[str, Blend | ShapeBlend]]:
-    if isinstance(pair, MultiPair):
-        yield from shape_blends(pair, ways)
-    else:
-        yield from blends(pair, [way.method for way in ways])
 
 
 def _scene(file: Opened, pair_id: str, scene: Scene) -> Scene:

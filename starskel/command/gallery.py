@@ -9,20 +9,21 @@ from pathlib import Path
 
 from starskel.blending import COMPARED
 from starskel.command import FAILED
-from starskel.command.methods import blends
 from starskel.command.opening import Opened, named, opened
 from starskel.command.progress import Progress
+from starskel.command.shapes import Way, blends_of, comparison
 from starskel.errors import StarskelError
+from starskel.export.film import Scene
 from starskel.export.settings import even_times
 from starskel.export.svg import svg_text
 from starskel.files.disk import made_folder, write_bytes
 from starskel.files.examples import example_names, resource_folder
 from starskel.files.gallery import Exhibit, gallery_page
 from starskel.files.pairs import ShapePair
-from starskel.files.project import of_polygons
-from starskel.quality import Report, measure
+from starskel.files.project import AnyPair
+from starskel.quality import Report, ShapeReport, measure
 from starskel.sheet.comparison import Row, comparison_sheet
-from starskel.sheet.keyframe import keyframes
+from starskel.sheet.keyframe import ALONE
 from starskel.sheet.words import counted
 
 
@@ -35,7 +36,7 @@ def run(arguments: Namespace) -> int:
     with Progress("") as progress:
         for number, (path, file, pair_id) in enumerate(found):
             try:
-                pair = of_polygons(file.pair(pair_id))
+                pair = file.pair(pair_id)
                 share = number / len(found), 1 / len(found)
                 exhibit = _exhibit(pair, arguments, progress, share, {e.name for e in exhibits})
             except StarskelError as error:
@@ -71,27 +72,43 @@ def _told(failure: str) -> str:
 
 
 def _exhibit(
-    pair: ShapePair, arguments: Namespace, progress: Progress, share: tuple[float, float], taken: set[str]
+    pair: AnyPair, arguments: Namespace, progress: Progress, share: tuple[float, float], taken: set[str]
 ) -> Exhibit:
     methods = arguments.method or COMPARED
-    times, reports, rows = arguments.at or even_times(arguments.frames), dict[str, Report](), list[Row]()
+    times, reports, rows = (
+        arguments.at or even_times(arguments.frames),
+        dict[str, Report | ShapeReport](),
+        list[Row](),
+    )
 
     def watch(method: str, fraction: float) -> None:
         start, length = share
         progress.label = f"{pair.id}: {method}"
         progress(start + length * fraction)
 
-    for method, blend in blends(pair, methods, watch):
-        reports[method] = measure(blend)
-        rows.append(Row.of(method, reports[method], keyframes(blend, times)))
+    ways = [*(Way(method, method) for method in methods), *comparison(pair, methods)]
+    for name, blend in blends_of(pair, ways, watch):
+        scene = Scene(blend, measure(blend))
+        rows.append(scene.row(name, times, ALONE))
+        if scene.report is not None and name in methods:
+            reports[name] = scene.report
     sheet = comparison_sheet(pair.id, rows, titled=False)
     return Exhibit(_free_name(pair.id, taken), pair.id, _text(pair), sheet, reports)
 
 
-def _text(pair: ShapePair) -> str:
-    counts = f"{len(pair.source)} and {len(pair.target)} vertices, {counted(len(pair.marks), 'mark')}."
+def _text(pair: AnyPair) -> str:
     sentences = [text.rstrip(".") + "." for text in (pair.description, pair.origin) if text]
-    return " ".join([*sentences, counts])
+    return " ".join([*sentences, _counts(pair)])
+
+
+def _counts(pair: AnyPair) -> str:
+    if isinstance(pair, ShapePair):
+        return f"{len(pair.source)} and {len(pair.target)} vertices, {counted(len(pair.marks), 'mark')}."
+    rings, vertices = (
+        " and ".join(str(count(shape)) for shape in (pair.source, pair.target))
+        for count in (len, lambda shape: sum(map(len, shape.rings)))
+    )
+    return f"{rings} rings, {vertices} vertices, {counted(sum(map(len, pair.marks)), 'mark')}."
 
 
 def _free_name(title: str, taken: set[str]) -> str:

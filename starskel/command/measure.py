@@ -10,13 +10,14 @@ import msgspec
 
 from starskel.blending import COMPARED
 from starskel.command import FAILED
-from starskel.command.methods import blends
 from starskel.command.opening import Opened, named, opened
+from starskel.command.shapes import Watch, Way, blends_of
 from starskel.errors import StarskelError
 from starskel.files.documents import document_text
-from starskel.files.project import of_polygons
-from starskel.quality import Distortion, Report, measure
-from starskel.sheet.words import crossing_counts, percent
+from starskel.files.project import AnyPair
+from starskel.quality import Distortion, Report, ShapeReport, measure
+from starskel.shapes.shape_blend import ShapeBlend
+from starskel.sheet.words import crossing_counts, overlap_words, percent
 
 FORMAT = "starskel-figures/2"
 
@@ -86,6 +87,49 @@ class Figures(msgspec.Struct, frozen=True):
         )
 
 
+class ShapeFigures(msgspec.Struct, frozen=True):
+    """What was measured of one pair of shapes by one method; series have a number for each frame."""
+
+    id: str
+    method: str
+    rings: int
+    vertices: int
+    simple: bool
+    proven: bool
+    holes_inside: bool
+    crossing_times: list[float]
+    harmful_frames: int
+    area_deviation: float
+    length_deviation: float
+    overlap: float
+    areas: list[float]
+    area_deviations: list[float]
+    length_deviations: list[float]
+    overlaps: list[float]
+
+    @classmethod
+    def of(cls, pair_id: str, method: str, blend: ShapeBlend, report: ShapeReport) -> "ShapeFigures":
+        """Take over what can be written as numbers."""
+        return cls(
+            id=pair_id,
+            method=method,
+            rings=len(blend.pair.pairing),
+            vertices=sum(len(ring) for ring in blend.at(0)),
+            simple=report.simple,
+            proven=report.proven,
+            holes_inside=report.holes_inside,
+            crossing_times=list(report.crossing_times),
+            harmful_frames=len(report.crossing_frames),
+            area_deviation=report.area_deviation,
+            length_deviation=report.length_deviation,
+            overlap=report.overlap,
+            areas=report.areas.tolist(),
+            area_deviations=report.area_deviations.tolist(),
+            length_deviations=report.length_deviations.tolist(),
+            overlaps=report.overlaps.tolist(),
+        )
+
+
 class _Failure(msgspec.Struct, frozen=True):
     id: str
     error: str
@@ -94,7 +138,7 @@ class _Failure(msgspec.Struct, frozen=True):
 class _Document(msgspec.Struct, frozen=True):
     format: str
     frames: int
-    figures: list[Figures]
+    figures: list[Figures | ShapeFigures]
     failures: list[_Failure]
 
 
@@ -104,11 +148,11 @@ def run(arguments: Namespace) -> int:
     ids = _ids(file, arguments.id)
     methods = arguments.method or COMPARED
     table = None if arguments.json else _Table(ids, methods)
-    found: list[Figures] = []
+    found: list[Figures | ShapeFigures] = []
     failures: list[_Failure] = []
     for pair_id in ids:
         try:
-            for figures, report in _measured(file, pair_id, methods, arguments.frames):
+            for figures, report in measured(file.pair(pair_id), methods, arguments.frames):
                 found.append(figures)
                 if table is not None:
                     table.add(figures, report)
@@ -129,12 +173,23 @@ def _ids(file: Opened, asked: Sequence[str] | None) -> Sequence[str]:
     return asked or file.ids
 
 
-def _measured(
-    file: Opened, pair_id: str, methods: Sequence[str], frames: int
-) -> Iterator[tuple[Figures, Report]]:
-    for method, blend in blends(of_polygons(file.pair(pair_id)), methods):
-        report = measure(blend, frames)
-        yield Figures.of(pair_id, method, len(blend.pair), report), report
+def measured(
+    pair: AnyPair, methods: Sequence[str], frames: int, watch: Watch | None = None
+) -> Iterator[tuple[Figures | ShapeFigures, Report | ShapeReport]]:
+    """Measure a pair blended by each of the methods; watched as by `blends_of`.
+
+    Raises
+    ------
+    StarskelError
+        If the pair cannot be matched or blended.
+    """
+    for method, blend in blends_of(pair, [Way(method, method) for method in methods], watch):
+        if isinstance(blend, ShapeBlend):
+            of_shapes = measure(blend, frames)
+            yield ShapeFigures.of(pair.id, method, blend, of_shapes), of_shapes
+        else:
+            report = measure(blend, frames)
+            yield Figures.of(pair.id, method, len(blend.pair), report), report
 
 
 class _Table:
@@ -145,19 +200,17 @@ class _Table:
         self._methods = methods
         self._print("pair", "method", "area", "length", "angle", "stretch", "rough", "verdict")
 
-    def add(self, figures: Figures, report: Report) -> None:
+    def add(self, figures: Figures | ShapeFigures, report: Report | ShapeReport) -> None:
         self._print(
             _shortened(figures.id),
             figures.method,
             percent(figures.area_deviation),
             percent(figures.length_deviation),
-            f"{math.degrees(figures.angle_deviation):.1f} deg",
-            percent(report.inside.stretch - 1) if report.inside else "-",
-            f"{100 * figures.roughness:.2f} %",
-            crossing_counts(report),
+            *_of_polygons_only(report),
+            ", ".join((crossing_counts(report), *overlap_words(report))),
         )
 
-    def end(self, found: Sequence[Figures]) -> None:
+    def end(self, found: Sequence[Figures | ShapeFigures]) -> None:
         print()
         for method in self._methods:
             own = [figures for figures in found if figures.method == method]
@@ -174,6 +227,17 @@ class _Table:
         name, verb = self._widths
         row = f"{pair_id:{name}}  {method:{verb}} {area:>6} {length:>6} {angle:>8} {stretch:>7} {rough:>7}"
         print(f"{row}  {words}", flush=True)
+
+
+def _of_polygons_only(report: Report | ShapeReport) -> tuple[str, str, str]:
+    """Give angle, stretch and roughness."""
+    if report.of == "shape":
+        return "-", "-", "-"
+    return (
+        f"{math.degrees(report.angle_deviation):.1f} deg",
+        percent(report.inside.stretch - 1) if report.inside else "-",
+        f"{100 * report.roughness:.2f} %",
+    )
 
 
 def _shortened(name: str) -> str:

@@ -33,7 +33,7 @@ def blends(
     decomposition: Decomposition | None = None
     for number, method in enumerate(methods):
         with Progress(f"{pair.id}: {method}") as bar:
-            progress = bar if watch is None else _shared(watch, method, number, len(methods))
+            progress = bar if watch is None else shared(watch, method, number, len(methods))
             root = None
             if method == STEERED and pair.root is not None:
                 decomposition = decomposition or decompose(matched)
@@ -50,7 +50,8 @@ def blends(
         yield method, made
 
 
-def _shared(
+def shared(
     watch: Callable[[str, float], None], method: str, number: int, count: int
 ) -> Callable[[float], None]:
+    """Give the progress of one of several methods, told to who watches all of them."""
     return lambda fraction: watch(method, (number + fraction) / count)

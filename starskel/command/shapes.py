@@ -1,9 +1,11 @@
-"""What render does with shapes of several polygons."""
+"""Ways to blend a pair, be it of two polygons or of shapes of several."""
 
 from argparse import Namespace
-from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple, TypeAlias
 
+from starskel.blending.frames import Blend
+from starskel.command.methods import blends, shared
 from starskel.command.progress import Progress
 from starskel.errors import InvalidFile
 from starskel.files.multi_pairs import MultiPair
@@ -11,6 +13,9 @@ from starskel.files.project import AnyPair
 from starskel.shapes.blend import blend
 from starskel.shapes.match import match
 from starskel.shapes.shape_blend import ShapeBlend
+
+Watch: TypeAlias = Callable[[str, float], None]
+"""Told the way under way and the fraction of all that is done."""
 
 
 class Way(NamedTuple):
@@ -40,20 +45,39 @@ def ways_of(
             "leave out --marks and --pieces",
         )
     ways = [Way(method, method, not arguments.separate) for method in methods]
-    if measured and len(pairs) == 1 and any(_several(pair) for pair in shapes):
-        ways.append(Way("parts separately", methods[0], False))
-    return ways
+    return [*ways, *comparison(pairs[0], methods)] if measured and len(pairs) == 1 else ways
 
 
-def shape_blends(pair: MultiPair, ways: Sequence[Way]) -> Iterator[tuple[str, ShapeBlend]]:
-    """Blend a pair in several ways."""
+def comparison(pair: AnyPair, methods: Sequence[str]) -> list[Way]:
+    """Give the first method part by part, of shapes of several parts (paper, figure 9)."""
+    shapes = (pair.source, pair.target) if isinstance(pair, MultiPair) else ()
+    several = any(shape.outer.count(-1) > 1 for shape in shapes)
+    return [Way("parts separately", methods[0], False)] if several else []
+
+
+def blends_of(
+    pair: AnyPair, ways: Sequence[Way], watch: Watch | None = None
+) -> Iterator[tuple[str, Blend | ShapeBlend]]:
+    """Blend a pair in several ways, and give each blend under the way's name; watched as by `blends`.
+
+    Raises
+    ------
+    StarskelError
+        If the pair cannot be matched or blended.
+    """
+    if isinstance(pair, MultiPair):
+        yield from _shape_blends(pair, ways, watch)
+    else:
+        yield from blends(pair, [way.method for way in ways], watch)
+
+
+def _shape_blends(
+    pair: MultiPair, ways: Sequence[Way], watch: Watch | None
+) -> Iterator[tuple[str, ShapeBlend]]:
     matched = match(pair.source, pair.target, pair.marks, pairing=pair.pairing, places=pair.places)
-    for way in ways:
+    for number, way in enumerate(ways):
         with Progress(f"{pair.id}: {way.name}") as bar:
+            progress = bar if watch is None else shared(watch, way.name, number, len(ways))
             joined = way.joined and pair.joined
-            made = blend(matched, method=way.method, joined=joined, turns=pair.turns, progress=bar)
+            made = blend(matched, method=way.method, joined=joined, turns=pair.turns, progress=progress)
         yield way.name, made
-
-
-def _several(pair: MultiPair) -> bool:
-    return any(shape.outer.count(-1) > 1 for shape in (pair.source, pair.target))

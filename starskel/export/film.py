@@ -59,8 +59,6 @@ class Scene:
         """Give the row of a sheet."""
         name = ", ".join(filter(None, (method, self.name)))
         frames = self.frames(ts, shown)
-        if isinstance(self.report, ShapeReport):
-            return Row.of_shapes(name, self.report, frames)
         if self.report is None:
             raise ValueError("a sheet of a scene that was not measured")
         return Row.of(name, self.report, frames)

@@ -8,9 +8,9 @@ from html import escape
 from statistics import median
 
 from starskel.files.examples import resource_folder
-from starskel.quality import Report
+from starskel.quality import Report, ShapeReport
 from starskel.sheet.drawing import Drawing
-from starskel.sheet.words import counted, crossing_counts, kind_of, percent, verdict
+from starskel.sheet.words import counted, crossing_counts, kind_of, overlap_words, percent, verdict
 
 SIGNS = {"simple": "✓", "natural": "≈", "harmful": "✕"}
 """What is said by colours is said by signs, too."""
@@ -57,7 +57,7 @@ class Exhibit:
     title: str
     text: str
     sheet: Drawing
-    reports: dict[str, Report]
+    reports: dict[str, Report | ShapeReport]
 
 
 def gallery_page(exhibits: Sequence[Exhibit], failures: Sequence[str]) -> str:
@@ -102,7 +102,7 @@ Crossing frames are outlined in red.</p>
 </header>"""
 
 
-def _summary_row(method: str, reports: Sequence[Report]) -> list[str]:
+def _summary_row(method: str, reports: Sequence[Report | ShapeReport]) -> list[str]:
     kinds = [kind_of(report) for report in reports]
     proven = sum(report.simple and report.proven for report in reports)
     drift = percent(median(report.area_deviation for report in reports))
@@ -140,7 +140,7 @@ def _alphabetical(title: str) -> str:
     return re.sub(r"\d+", lambda number: number[0].zfill(9), title.casefold())
 
 
-def _chip(method: str, report: Report) -> str:
+def _chip(method: str, report: Report | ShapeReport) -> str:
     kind = kind_of(report)
     return f'<span class="{kind}" title="{escape(verdict(report))}">{SIGNS[kind]} {method}</span>'
 
@@ -160,18 +160,29 @@ def _section(exhibit: Exhibit) -> str:
 </section>"""
 
 
-def _figures(method: str, report: Report) -> list[str]:
-    kind, inside = kind_of(report), report.inside
+def _figures(method: str, report: Report | ShapeReport) -> list[str]:
+    kind = kind_of(report)
+    words = ", ".join((crossing_counts(report), *overlap_words(report)))
     return [
         method,
         percent(report.area_deviation),
         percent(report.length_deviation),
+        *_of_polygons_only(report),
+        f'<span class="{kind}">{_sign(kind)}{words}</span>',
+    ]
+
+
+def _of_polygons_only(report: Report | ShapeReport) -> list[str]:
+    """Give angle drift, stretched, spread, folded and roughness."""
+    if report.of == "shape":
+        return ["-"] * 5
+    inside = report.inside
+    return [
         f"{math.degrees(report.angle_deviation):.1f}°",
         percent(inside.stretch - 1) if inside else "-",
         percent(inside.spread - 1) if inside else "-",
         percent(inside.folded) if inside else "-",
         f"{100 * report.roughness:.2f} %",
-        f'<span class="{kind}">{_sign(kind)}{crossing_counts(report)}</span>',
     ]
 
 

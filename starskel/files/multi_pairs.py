@@ -59,6 +59,8 @@ class MultiPair:
         Whether a meta-skeleton joins the parts, so that they move together.
     turns : int
         Whole turns of the whole besides, counter-clockwise.
+    description : str
+        A sentence about the pair.
     """
 
     id: str
@@ -70,6 +72,7 @@ class MultiPair:
     origin: str = ""
     joined: bool = True
     turns: int = 0
+    description: str = ""
 
 
 class MultiPairsFile:

@@ -46,7 +46,8 @@ class Project:
         """Give a pair as a project of one step."""
         if isinstance(pair, MultiPair):
             shapes = _own(pair.source), _own(pair.target)
-            return cls(pair.id, shapes, (Step(_links(pair), turns=pair.turns, joined=pair.joined),))
+            step = Step(_links(pair), turns=pair.turns, joined=pair.joined)
+            return cls(pair.id, shapes, (step,), description=pair.description)
         shapes = KeyShape.of(pair.source), KeyShape.of(pair.target)
         step = replace(Step.of(pair.marks), root=pair.root, turns=pair.turns)
         return cls(pair.id, shapes, (step,), description=pair.description)
@@ -79,6 +80,7 @@ class Project:
             {link.ends: link.place for link in way.links if link.place is not None},
             joined=way.joined,
             turns=way.turns,
+            description=self.description,
         )
 
     def step_name(self, step: int) -> str:

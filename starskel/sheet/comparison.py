@@ -13,7 +13,7 @@ from starskel.sheet.keyframe import Keyframe
 from starskel.sheet.rows import Grid, paper
 from starskel.sheet.shape_keyframe import ShapeKeyframe
 from starskel.sheet.style import Look
-from starskel.sheet.words import Kind, figures, kind_of, shape_figures, shape_verdict, verdict
+from starskel.sheet.words import Kind, figures, kind_of, verdict
 
 _TITLE = 34.0
 _HEAD = 20.0
@@ -52,14 +52,11 @@ class Row:
     frames: tuple[Keyframe | ShapeKeyframe, ...]
 
     @classmethod
-    def of(cls, name: str, report: Report, frames: tuple[Keyframe | ShapeKeyframe, ...]) -> "Row":
+    def of(
+        cls, name: str, report: Report | ShapeReport, frames: tuple[Keyframe | ShapeKeyframe, ...]
+    ) -> "Row":
         """Give the row of a method that was measured."""
         return cls(name, kind_of(report), verdict(report), figures(report), frames)
-
-    @classmethod
-    def of_shapes(cls, name: str, report: ShapeReport, frames: tuple[Keyframe | ShapeKeyframe, ...]) -> "Row":
-        """Give the row of a blend of shapes that was measured."""
-        return cls(name, kind_of(report), shape_verdict(report), shape_figures(report), frames)
 
 
 SHEET = Look(paper=style.PAPER)

@@ -8,6 +8,9 @@ if TYPE_CHECKING:  # words do not need what measures
 
 Kind = Literal["simple", "natural", "harmful"]
 
+_NO_OVERLAP = 0.0005
+"""What would be told as 0.0 %."""
+
 
 def kind_of(report: "Report | ShapeReport") -> Kind:
     """Say in a word how good a blend is; of several parts nobody looks whether crossings are natural."""
@@ -16,8 +19,10 @@ def kind_of(report: "Report | ShapeReport") -> Kind:
     return "natural" if report.of == "polygon" and report.natural else "harmful"
 
 
-def verdict(report: "Report") -> str:
-    """Say whether the blend is simple, or when it crosses itself."""
+def verdict(report: "Report | ShapeReport") -> str:
+    """Say whether the blend is simple, or when it crosses itself or holes stray."""
+    if report.of == "shape":
+        return _shape_verdict(report)
     if report.simple:
         known = f"proven, {report.how}" if report.how else "simple, proven"
         return known if report.proven else "simple"
@@ -39,20 +44,25 @@ def crossing_words(report: "Report") -> str:
     return ", ".join(f"{t:.4g}" for t in report.crossing_times)
 
 
-def crossing_counts(report: "Report") -> str:
+def crossing_counts(report: "Report | ShapeReport") -> str:
     """Say in how many frames the blend crosses itself, naturally and otherwise, or that it never does."""
     if report.simple or not report.crossing_frames:
         return verdict(report)
+    if report.of == "shape":
+        return f"{len(report.crossing_frames)} harmful"
     kinds = ("natural", report.natural_frames), ("harmful", report.harmful_frames)
     return " ".join(f"{len(frames)} {kind}" for kind, frames in kinds if frames)
 
 
-def figures(report: "Report") -> tuple[str, ...]:
-    """Say how far the blend drifts, and where some edge has a negative length, a line each."""
-    lines = [
-        f"area drift {percent(report.area_deviation)}",
-        f"length drift {percent(report.length_deviation)}",
-    ]
+def figures(report: "Report | ShapeReport") -> tuple[str, ...]:
+    """Say how far the blend drifts, and what else is to be known of it, a line each.
+
+    Of polygons that is where some edge has a negative length, of shapes by how much parts come to overlap.
+    """
+    area = f"area drift {percent(report.area_deviation)}"
+    if report.of == "shape":
+        return (area, *overlap_words(report))
+    lines = [area, f"length drift {percent(report.length_deviation)}"]
     if report.inside is not None:
         lines.append(f"inside stretched {percent(report.inside.stretch - 1)}")
     if report.negative_lengths:
@@ -61,20 +71,18 @@ def figures(report: "Report") -> tuple[str, ...]:
     return tuple(lines)
 
 
-def shape_verdict(report: "ShapeReport") -> str:
-    """Say whether all rings of a blend of shapes are simple and holes inside, or when they are not."""
+def overlap_words(report: "Report | ShapeReport") -> tuple[str, ...]:
+    """Say by how much parts come to overlap, if any do."""
+    if report.of == "polygon" or report.overlap <= _NO_OVERLAP:
+        return ()
+    return (f"parts overlap by {percent(report.overlap)}",)
+
+
+def _shape_verdict(report: "ShapeReport") -> str:
     if report.simple:
-        return "simple"
+        return "simple, proven" if report.proven else "simple"
     times = spans(report.times.tolist(), report.crossing_frames)
     return f"{'crosses' if report.crosses.any() else 'holes stray'} at t = {times}"
-
-
-def shape_figures(report: "ShapeReport") -> tuple[str, ...]:
-    """Say how far the area drifts, and by how much parts come to overlap, a line each."""
-    lines = [f"area drift {percent(report.area_deviation)}"]
-    if report.overlap > 0.0005:
-        lines.append(f"parts overlap by {percent(report.overlap)}")
-    return tuple(lines)
 
 
 def spans(times: Sequence[float], frames: Sequence[int]) -> str:

@@ -9,11 +9,13 @@ import pytest
 
 import starskel
 from starskel.cli import main
+from starskel.files.examples import resource_folder
 from starskel.files.multi_pairs import read_multi_pairs
 from tests.starskel.export.rendering import needs_ghostscript, rendered_postscript
 from tests.starskel.files.test_multi_pairs import MULTI
 
 PATH = "{http://www.w3.org/2000/svg}path"
+TEXT = "{http://www.w3.org/2000/svg}text"
 FACE = ("--id", "m-smile-frown")
 
 
@@ -68,7 +70,7 @@ def test_a_sheet_compares_the_methods_and_parts_moved_separately(tmp_path):
         )
         == 0
     )
-    texts = [e.text for e in ET.parse(tmp_path / "sheet.svg").iter("{http://www.w3.org/2000/svg}text")]
+    texts = [e.text for e in ET.parse(tmp_path / "sheet.svg").iter(TEXT)]
     assert {"stitched", "edge-angle", "parts separately"} <= set(texts)
     assert "certified" in texts
 
@@ -84,3 +86,36 @@ def test_a_sheet_compares_the_methods_and_parts_moved_separately(tmp_path):
 def test_what_does_not_go_is_said(capsys, words, message):
     assert main(["render", str(MULTI), *words, "-o", "out.svg"]) == 2
     assert message in capsys.readouterr().err
+
+
+def test_shapes_are_measured_ring_by_ring_and_parts_beside_each_other(capsys):
+    assert main(["measure", str(MULTI), *FACE, "--method", "certified", "--frames", "5", "--json"]) == 0
+    (figures,) = json.loads(capsys.readouterr().out)["figures"]
+    pair = read_multi_pairs(MULTI).pair("m-smile-frown")
+    blend = starskel.blend(pair.source, pair.target, pair.marks, "certified", pairing=pair.pairing)
+    report = starskel.measure(blend, 5)
+    assert figures["rings"] == len(pair.pairing)
+    assert (figures["simple"], figures["proven"], figures["holes_inside"]) == (True, True, True)
+    assert figures["areas"] == report.areas.tolist()
+    assert figures["area_deviation"] == report.area_deviation
+
+
+def test_the_table_leaves_out_what_only_polygons_have(capsys):
+    fish = str(resource_folder() / "examples" / "figure-9-fish.json")
+    assert main(["measure", fish, "--method", "vertex", "--method", "star-skeleton", "--frames", "5"]) == 0
+    straight, together = capsys.readouterr().out.splitlines()[1:3]
+    assert re.search(r"vertex +\d+ % .* - +- +- +simple$", straight)
+    assert re.search(r"star-skeleton +0\.0 % .* - +- +- +simple$", together)
+
+
+def test_a_gallery_shows_shapes_beside_their_parts_moved_separately(tmp_path):
+    fish = str(resource_folder() / "examples" / "figure-9-fish.json")
+    words = ["--method", "star-skeleton", "--frames", "3", "-o", "out"]
+    assert main(["gallery", fish, str(MULTI), *words]) == 0
+    page = (tmp_path / "out" / "index.html").read_text(encoding="utf-8")
+    assert page.count("<section") == 5
+    assert "The fish turns round in six parts." in page
+    assert "6 and 6 rings" in page
+    texts = [e.text for e in ET.parse(tmp_path / "out" / "figure-9-a-fish-turns.svg").iter(TEXT)]
+    assert {"star-skeleton", "parts separately"} <= set(texts)
+    assert any(text.startswith("parts overlap by ") for text in texts)
