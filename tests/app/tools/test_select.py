@@ -1,6 +1,7 @@
 from app.model.document import Document
 from app.model.selection import Selection, everything
-from app.tools.select import Dragging, RubberBand, SelectTool
+from app.tools.moving import Dragging
+from app.tools.select import RubberBand, SelectTool
 from app.tools.tool import Key, Pointer, Response, Scene
 from starskel.polygon import Polygon
 
