@@ -13,6 +13,9 @@ from starskel.task import Task
 
 NOWHERE = np.empty((0, 2))
 
+_SMALL = 100
+"""Rings of so many vertices are looked at together, all edges at once; of larger ones few edges leave little."""
+
 
 @dataclass(frozen=True, eq=False)
 class Tiling:
@@ -66,7 +69,13 @@ class Tiling:
 
     def have_common_star_vertices(self, pieces: Sequence[Piece]) -> Relation:
         """Tell for which simple rings one of their vertices sees the whole, in both polygons."""
-        return have_star_vertices((self.source, self.target), [np.array(piece) for piece in pieces])
+        sides, small = (self.source, self.target), [len(piece) <= _SMALL for piece in pieces]
+        found: Relation = np.zeros(len(pieces), dtype=bool)
+        rings = [np.array(piece) for piece, together in zip(pieces, small, strict=True) if together]
+        found[small] = have_star_vertices(sides, rings)
+        for k in np.flatnonzero(~np.array(small, dtype=bool)):
+            found[k] = self.has_common_star_vertex(pieces[k])
+        return found
 
     def are_stars(self, pieces: Sequence[Piece], task: Task) -> Relation:
         """Tell which rings of vertices are simple, counter-clockwise and have kernels with an inside."""

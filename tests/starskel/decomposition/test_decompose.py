@@ -112,6 +112,17 @@ def test_one_star_piece_where_a_vertex_sees_all_of_both():
     np.testing.assert_array_equal(decomposition.target_origins, [(3, 3)])
 
 
+def test_one_piece_where_both_are_stars_that_no_vertex_sees_whole():
+    """A five-pointed star: its kernel is the pentagon inside, without a corner of the star."""
+    angles = np.pi * (np.arange(10) / 5 + 0.5)
+    radii = np.where(np.arange(10) % 2, 0.3, 1.0)
+    star = np.stack([radii * np.cos(angles), radii * np.sin(angles)], axis=1)
+    decomposition = decompose(paired(star, 2 * star), steiner=False)
+    assert faults(decomposition) == []
+    assert len(decomposition.pieces) == 1
+    np.testing.assert_allclose(decomposition.source_origins, [(0, 0)], atol=1e-12)
+
+
 EIGHT = (
     np.array([(0, 0), (6, 0), (6, 2), (2, 2), (2, 4), (6, 4), (6, 6), (0, 6)], dtype=float),
     np.array([(0, 6), (0, 4), (4, 4), (4, 2), (0, 2), (0, 0), (6, 0), (6, 6)], dtype=float),

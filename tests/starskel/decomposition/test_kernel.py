@@ -1,8 +1,8 @@
 import numpy as np
 
-from starskel.decomposition.kernel import is_star_point, star_point, star_vertices
+from starskel.decomposition.kernel import have_star_vertices, is_star_point, star_point, star_vertices
 from starskel.points import points_of
-from tests.families import comb, subdivided, turned
+from tests.families import comb, subdivided, turned, two_opt
 
 L_SHAPE = np.array([(0, 0), (4, 0), (4, 1), (1, 1), (1, 4), (0, 4)], dtype=float)
 
@@ -38,3 +38,12 @@ def test_straight_runs_bound_nothing_however_they_are_turned():
 def test_vertices_on_one_line_have_no_star_point():
     points = points_of(subdivided(L_SHAPE, 3))
     assert star_point(points, np.arange(3)) is None
+
+
+def test_many_rings_are_asked_for_star_vertices_as_each_is_alone():
+    rng = np.random.default_rng(5)
+    first, second = points_of(two_opt(30, 1)), points_of(two_opt(30, 1) @ np.array([[1.0, 0.4], [0.2, 1.0]]))
+    rings = [np.sort(rng.choice(30, size, replace=False)) for size in rng.integers(3, 9, 200)]
+    alone = [bool((star_vertices(first, ring) & star_vertices(second, ring)).any()) for ring in rings]
+    assert have_star_vertices((first, second), rings).tolist() == alone
+    assert 20 < sum(alone) < 180
