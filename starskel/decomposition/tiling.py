@@ -14,7 +14,7 @@ from starskel.task import Task
 NOWHERE = np.empty((0, 2))
 
 _SMALL = 100
-"""Rings of so many vertices are looked at together, all their edges; of larger ones few edges leave little."""
+"""Rings of so many vertices are looked at together with all edges; of larger ones few edges leave little."""
 
 
 @dataclass(frozen=True, eq=False)
