@@ -1,6 +1,6 @@
 """What is done to parts of shapes, and to what becomes of them."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -8,7 +8,10 @@ from app.model import pairing
 from app.model.document import Document, Point
 from app.model.marks import SIDES, Side
 from app.model.pairing import Ends
+from starskel import suggest_pairing
 from starskel.files.key_shape import Part
+from starskel.files.step import Link
+from starskel.polygon import Polygon
 
 
 def style(document: Document, link: int, **changes: Any) -> Document:
@@ -30,6 +33,33 @@ def remove(document: Document) -> Document:
             sequence = sequence.remove_part(document.shape_on(side), part)
     last = len(sequence.steps[document.step].links) - 1
     return replace(document, sequence=sequence, link=max(min(document.link, last), 0))
+
+
+def draw(document: Document, side: Side, rings: Sequence[Polygon]) -> Document:
+    """Put polygons in the place of all parts on a side; where new parts are to be drawn, add them.
+
+    What replaces a shape is paired with the other one as it suggests itself.
+
+    Raises
+    ------
+    InvalidPolygon
+        If the parts form no shape.
+    """
+    if len(rings) == 1 and (len(document.shape(side)) < 2 or document.part(side) is None):
+        return document.draw(side, rings[0])
+    number, sequence = document.shape_on(side), document.sequence
+    adds = document.part(side) is None
+    for _ in range(0 if adds else len(document.shape(side))):
+        sequence = sequence.remove_part(number, 0)
+    first = len(sequence.shapes[number])
+    for ring in rings:
+        sequence = sequence.add_part(number, Part(Polygon(ring.vertices)))
+    drawn = replace(document, sequence=sequence, link=0)
+    source, target = drawn.shape("source"), drawn.shape("target")
+    if source.parts and target.parts and (not adds or first == 0):
+        suggested = suggest_pairing(source.shape, target.shape)
+        drawn = drawn.relinked(tuple(Link(*ends) for ends in suggested))
+    return drawn.working_on(side, first)
 
 
 def pair(document: Document, source: int, target: int) -> Document:

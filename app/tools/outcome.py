@@ -1,5 +1,9 @@
 """What comes of a finished gesture: a step of the history, or a refusal that points at the fault."""
 
+from collections.abc import Callable, Sequence
+
+from app.model import parts
+from app.model.document import Document
 from app.model.marks import Side, other
 from app.model.selection import Selection, everything
 from app.tools.select import SelectTool
@@ -15,8 +19,23 @@ def drawn(scene: Scene, side: Side, ring: Floats, tool: Tool, name: str) -> Resp
     The tool stays in hand while the other canvas is empty; else the new shape is there to be selected, so
     that a stray press does not begin to replace one.
     """
+    return _stored(scene, side, ring, lambda: scene.document.draw(side, Polygon(ring)), tool, name)
+
+
+def drawn_parts(scene: Scene, side: Side, rings: Sequence[Floats], tool: Tool, name: str) -> Response:
+    """Put newly drawn rings in the place of the whole shape on a canvas, as `drawn` does with one."""
+
+    def verb() -> Document:
+        return parts.draw(scene.document, side, [Polygon(ring) for ring in rings])
+
+    return _stored(scene, side, rings[0], verb, tool, name)
+
+
+def _stored(  # noqa: PLR0913, PLR0917 -- as those above, and how
+    scene: Scene, side: Side, ring: Floats, verb: Callable[[], Document], tool: Tool, name: str
+) -> Response:
     try:
-        document = scene.document.draw(side, Polygon(ring))
+        document = verb()
     except InvalidPolygon as error:
         return Response(tool, refusal=refused_ring(side, ring, error))
     if scene.document.polygon(other(side)) is None:

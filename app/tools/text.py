@@ -8,7 +8,7 @@ import numpy as np
 from app.model.document import Point
 from app.model.marks import Side
 from app.model.texts import QT_TRANSLATE_NOOP
-from app.tools.outcome import drawn
+from app.tools.outcome import drawn_parts
 from app.tools.settings import Settings
 from app.tools.snapping import begun_at
 from app.tools.tool import Catch, Overlay, Pointer, Response, Scene, Tool
@@ -17,7 +17,7 @@ from starskel.predicates import Floats
 
 @dataclass(frozen=True)
 class TextTool(Tool):
-    """The text follows the pointer; a canvas holds one outline, so the largest one is set there."""
+    """The text follows the pointer; each letter is a part of the shape, and so are the holes in it."""
 
     side: Side = "source"
     catch: Catch | None = None
@@ -25,14 +25,14 @@ class TextTool(Tool):
     name: ClassVar[str] = "text"
     hint: ClassVar[str] = QT_TRANSLATE_NOOP(
         "Hint",
-        "Type the text above, then click to set it. A canvas holds one outline: the largest, drawn solid.",
+        "Type the text above, then click to set it in the place of the shape on the canvas.",
     )
 
     def press(self, scene: Scene, pointer: Pointer) -> Response:
         rings = placed_letters(scene.settings, begun_at(scene, pointer).at)
         if not rings:
             return Response(self)
-        return drawn(scene, pointer.side, rings[0], TextTool(), QT_TRANSLATE_NOOP("Step", "Set text"))
+        return drawn_parts(scene, pointer.side, rings, TextTool(), QT_TRANSLATE_NOOP("Step", "Set text"))
 
     def move(self, scene: Scene, pointer: Pointer) -> Response:
         return Response(replace(self, side=pointer.side, catch=begun_at(scene, pointer)))

@@ -1,11 +1,14 @@
 """Text as outlines."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import shapely
 from PySide6.QtGui import QFont, QPainterPath
 
 from app.model.curves import flattened
 from app.tools.settings import Lettering
+from starskel.outline import signed_areas
 from starskel.predicates import Floats
 
 SIZE = 1000.0
@@ -16,17 +19,31 @@ TOLERANCE = 0.002
 
 
 def lettering(text: str, family: str) -> Lettering:
-    """Give the outer rings of a text in a font, the largest one first; where letters overlap they are one."""
+    """Give the rings of a text in a font, the largest one first; letters that overlap are one."""
     font = QFont(family)
     font.setPixelSize(round(SIZE))
     font.setHintingPreference(QFont.HintingPreference.PreferNoHinting)
     path = QPainterPath()
     path.addText(0, 0, font, text)
-    areas = [shapely.make_valid(shapely.Polygon(ring)) for ring in _rings(path) if len(ring) >= 3]
-    parts = shapely.get_parts(shapely.union_all(areas)) if areas else []
-    outer = [shapely.Polygon(part.exterior) for part in parts if isinstance(part, shapely.Polygon)]
-    outer.sort(key=lambda polygon: -polygon.area)
-    return Lettering(tuple(shapely.get_coordinates(polygon)[:-1] for polygon in outer))
+    rings = [ring for ring in _rings(path) if len(ring) >= 3]
+    whole = _filled(rings)
+    parts = [
+        part for part in shapely.get_parts(whole) if isinstance(part, shapely.Polygon) and not part.is_empty
+    ]
+    bounds = [ring for part in parts for ring in (part.exterior, *part.interiors)]
+    bounds.sort(key=lambda ring: -shapely.Polygon(ring).area)
+    return Lettering(tuple(shapely.get_coordinates(ring)[:-1] for ring in bounds))
+
+
+def _filled(rings: Sequence[Floats]) -> shapely.Geometry:
+    """Give what rings fill that run one way round outlines and the other way round holes, as in fonts."""
+    found = shapely.Polygon()
+    by_size = sorted(rings, key=lambda ring: -abs(float(signed_areas(ring))))
+    for ring in by_size:
+        area = shapely.make_valid(shapely.Polygon(ring))
+        alike = signed_areas(ring) * signed_areas(by_size[0]) > 0
+        found = shapely.union(found, area) if alike else shapely.difference(found, area)
+    return found
 
 
 def _rings(path: QPainterPath) -> list[Floats]:

@@ -62,6 +62,8 @@ class MarksTable(QTableView):
         self.horizontalHeader().setHighlightSections(False)
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(26)
+        self._soon = QTimer(self, singleShot=True, interval=0)  # its own, so that it ends with the table
+        self._soon.timeout.connect(self._to_new)
         self._marks.rowsInserted.connect(self._go_on)
         self._marks.dataChanged.connect(self._point)
 
@@ -122,7 +124,7 @@ class MarksTable(QTableView):
     @Slot()
     def _go_on(self) -> None:
         """Go to where the next mark can be typed, as soon as the editor is closed."""
-        QTimer.singleShot(0, self._to_new)
+        self._soon.start()
 
     @Slot()
     def _to_new(self) -> None:

@@ -4,6 +4,7 @@ from PySide6.QtCore import QAbstractItemModel, QEvent, QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QAction, QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
+    QCheckBox,
     QComboBox,
     QHBoxLayout,
     QHeaderView,
@@ -134,16 +135,30 @@ class PartsPanel(QWidget):
         layout.setContentsMargins(6, 4, 6, 6)
         layout.addLayout(self._buttons(actions))
         layout.addWidget(self.table, 1)
-        layout.addWidget(_button(actions["joined"], Qt.ToolButtonStyle.ToolButtonTextOnly))
+        layout.addWidget(self._switch(actions["joined"]))
         layout.addWidget(self._help())
 
     def _buttons(self, actions: Actions) -> QHBoxLayout:
         row = QHBoxLayout()
         row.setSpacing(2)
         for name in BUTTONS:
-            row.addWidget(_button(actions[name], Qt.ToolButtonStyle.ToolButtonIconOnly))
+            row.addWidget(_button(actions[name]))
         row.addStretch(1)
         return row
+
+    def _switch(self, action: QAction) -> QCheckBox:
+        box = QCheckBox(action.text().replace("&", ""))
+        box.setObjectName("joined")
+        box.setToolTip(action.toolTip())
+        box.clicked.connect(action.trigger)
+        action.changed.connect(self._follow_switch)
+        self._joined, self._box = action, box
+        return box
+
+    @Slot()
+    def _follow_switch(self) -> None:
+        self._box.setChecked(self._joined.isChecked())
+        self._box.setEnabled(self._joined.isEnabled())
 
     def _help(self) -> QLabel:
         text = self.tr(
@@ -155,11 +170,12 @@ class PartsPanel(QWidget):
         return label
 
 
-def _button(action: QAction, style: Qt.ToolButtonStyle) -> QToolButton:
+def _button(action: QAction) -> QToolButton:
     button = QToolButton()
     button.setDefaultAction(action)
     button.setIconSize(QSize(20, 20))
     button.setAutoRaise(True)
-    button.setToolButtonStyle(style)
+    button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
+    button.setAccessibleName(action.text().replace("&", "").replace("…", ""))
     button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
     return button

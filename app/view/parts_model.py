@@ -1,6 +1,7 @@
 """The parts as a table: a row for each part and its partner, the one painted last on top."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import (
@@ -15,7 +16,7 @@ from PySide6.QtCore import (
     Qt,
     Slot,
 )
-from PySide6.QtGui import QIcon, QPalette
+from PySide6.QtGui import QColor, QIcon, QPalette
 
 from app.model.marks import SIDES, Side, other
 from app.model.pairing import part_of
@@ -177,13 +178,18 @@ class PartsModel(QAbstractTableModel):
         part, side = self.part(index), _side(index.column())
         if part is None:
             return None
-        alone = KeyShape((self._looks[SIDES.index(side)].parts[part],))
-        picture = layer_of(ICON, 2.0)
-        with painting(picture) as painter:
-            paint_thumbnail(
-                painter, QRectF(0, 0, ICON.width(), ICON.height()), alone, theme_of(QPalette()).side(side)
-            )
-        return QIcon(picture)
+        shown, theme = self._looks[SIDES.index(side)].parts[part], theme_of(QPalette())
+        icon = QIcon()
+        for mode, colour in (
+            (QIcon.Mode.Normal, shown.colour or theme.side(side)),
+            (QIcon.Mode.Selected, theme.on_accent),  # as the writing is there
+        ):
+            picture = layer_of(ICON, 2.0)
+            with painting(picture) as painter:
+                alone = KeyShape((replace(shown, colour="", visible=True),))
+                paint_thumbnail(painter, QRectF(0, 0, ICON.width(), ICON.height()), alone, QColor(colour))
+            icon.addPixmap(picture, mode)
+        return icon
 
     def _tip(self, index: Index) -> str:
         if index.column() == NAME:

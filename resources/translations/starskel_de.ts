@@ -2014,10 +2014,6 @@
         <translation>Loslassen wählt die Eckpunkte im Rahmen aus.</translation>
     </message>
     <message>
-        <source>Type the text above, then click to set it. A canvas holds one outline: the largest, drawn solid.</source>
-        <translation>Oben den Text eingeben, dann klicken, um ihn zu setzen. Eine Fläche hat einen Umriss: den größten, gefüllt gezeichneten.</translation>
-    </message>
-    <message>
         <source>Drop a picture on a canvas to draw over it. Drag it or its corners to fit it, then lock it.</source>
         <translation>Ein Bild auf eine Fläche ziehen, um es nachzuzeichnen. Es oder seine Ecken ziehen, bis es passt, dann sperren.</translation>
     </message>
@@ -2028,6 +2024,10 @@
     <message>
         <source>Click where the part without a partner grows from or shrinks to, on the canvas without it.</source>
         <translation>Auf der Fläche ohne das Teil dorthin klicken, woraus es wächst oder wohin es schrumpft.</translation>
+    </message>
+    <message>
+        <source>Type the text above, then click to set it in the place of the shape on the canvas.</source>
+        <translation>Den Text oben tippen, dann klicken: Er tritt an die Stelle der Form auf der Fläche.</translation>
     </message>
 </context>
 <context>

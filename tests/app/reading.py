@@ -171,7 +171,7 @@ def _texts(widget: QWidget) -> list[str]:
 
 def _bare(text: str, names: tuple[str, ...]) -> str:
     """Give a text without what is the same in every language: keys, and names given to things."""
-    keys = ("Ctrl", "Shift", "Alt", "Backspace", "PgDown", "PgUp", "Del", "Esc", "Home", "End")
+    keys = ("Ctrl", "Shift", "Alt", "Backspace", "PgDown", "PgUp", "Down", "Del", "Esc", "Home", "End")
     for name in (*keys, "starskel", *FORMAT_NAMES, *names):
         text = text.replace(name, "")
     return text

@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit, QSlider, QSpinBox
 
+from starskel.quality import ShapeReport
 from tests.app.driver import CONTROL, SHIFT, SQUARE, Driver
 
 
@@ -146,7 +147,7 @@ def test_a_letter_is_set_in_outlines(driver: Driver) -> None:
     assert driver.session.undoes == "Set text"
 
 
-def test_of_several_outlines_the_largest_is_set_and_the_others_are_shown(driver: Driver) -> None:
+def test_all_outlines_of_a_text_are_shown_before_they_are_set(driver: Driver) -> None:
     type_text(driver, "i")
     driver.hover("source", 40, 40)
     driver.hover("source", 50, 50)
@@ -162,9 +163,25 @@ def test_a_text_without_outlines_sets_nothing(driver: Driver) -> None:
     assert driver.document.source is None
 
 
-def test_only_the_outer_ring_of_a_letter_is_taken(driver: Driver) -> None:
-    type_text(driver, "O")
+def test_holes_in_letters_are_parts_of_the_shape(driver: Driver) -> None:
+    for side, text, outer in (("source", "A", (-1, 0)), ("target", "R", (-1, 0))):
+        type_text(driver, text)
+        driver.click(side, (50, 50))
+        assert driver.document.shape(side).shape.outer == outer
+    assert [link.ends for link in driver.document.way.links] == [(0, 0), (1, 1)]
+    driver.wait_for_blends()
+    for state in driver.session.results.values():
+        assert state.result is not None
+        assert isinstance(state.result.report, ShapeReport)
+        assert state.result.report.holes_inside
+    type_text(driver, "i")
+    driver.click("target", (50, 50))
+    assert {link.ends for link in driver.document.way.links} == {(0, 0), (1, None), (None, 1)}
+    driver.key(Qt.Key.Key_Z, CONTROL)
+    assert len(driver.document.way.links) == 2
+
+
+def test_islands_in_letters_are_filled(driver: Driver) -> None:
+    type_text(driver, "\N{REGISTERED SIGN}")
     driver.click("source", (50, 50))
-    ring = driver.document.vertices("source")
-    assert (np.hypot(*(ring - 50).T) > 15).all()
-    assert len(ring) > 20
+    assert driver.document.shape("source").shape.outer == (-1, 0, -1, 2)

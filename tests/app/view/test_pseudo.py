@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import QEvent, QTimer
-from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
+from PySide6.QtWidgets import QApplication, QColorDialog, QFileDialog, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.tools.toolbox import TOOLS
@@ -84,7 +84,7 @@ def looked_at_dialog(driver: Driver) -> list[str]:
     dialog = QApplication.activeModalWidget()
     if dialog is None:
         return []
-    found = [] if isinstance(dialog, QFileDialog) else faults(dialog, driver.document.name)
+    found = [] if isinstance(dialog, QFileDialog | QColorDialog) else faults(dialog, driver.document.name)
     dialog.close()
     return found
 
