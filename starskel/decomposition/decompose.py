@@ -171,7 +171,7 @@ def _origins(tiling: Tiling, piece: Piece, task: Task) -> tuple[Floats, Floats]:
     """Give the mean of the common star vertices (paper, section 2.4.2), or the centroids of both kernels."""
     task.reach(0)
     ring = np.array(piece)
-    common = ring[star_vertices(tiling.source, ring) & star_vertices(tiling.target, ring)]
+    common = ring[star_vertices(tiling.source, ring, task) & star_vertices(tiling.target, ring, task)]
     if len(common):
         return tiling.source.coordinates[common].mean(axis=0), tiling.target.coordinates[common].mean(axis=0)
     task.reach(0)

@@ -15,11 +15,12 @@ Entry = TypeVar("Entry", bound=np.generic)
 _AT_ONCE = 64
 
 
-def star_vertices(points: Points, ring: Indices) -> Relation:
+def star_vertices(points: Points, ring: Indices, task: Task = UNWATCHED) -> Relation:
     """Give for each vertex of a simple ring over points whether it lies in the kernel, exactly."""
     stars = np.ones(len(ring), dtype=bool)
     ends = np.roll(ring, -1)
     for first in range(0, len(ring), _AT_ONCE):  # few edges leave few vertices to look at
+        task.reach(0)
         edges = slice(first, first + _AT_ONCE)
         sides = points.orientation(ring[edges][None], ends[edges][None], ring[stars, None])
         stars[stars] = (sides >= 0).all(axis=1)

@@ -106,7 +106,7 @@ class _Reduction:
         """Find out which unions of pieces are seen whole from a common vertex."""
         unknown = {ring for ring in rings if ring not in self._common}
         for part in self._parts(unknown, SIDES_AT_ONCE, lambda ring: len(ring) ** 2):
-            common = self._tiling.have_common_star_vertices(part)
+            common = self._tiling.have_common_star_vertices(part, self._task.quiet)
             self._common.update(zip(part, common.tolist(), strict=True))
 
     def _parts(self, rings: set[Piece], most: int, work: Callable[[Piece], int]) -> Iterator[list[Piece]]:

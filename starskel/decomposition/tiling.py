@@ -59,22 +59,22 @@ class Tiling:
 
     def is_star(self, piece: Piece, task: Task) -> bool:
         """Tell whether a simple ring of vertices has a common star vertex, or kernels with an inside."""
-        return self.has_common_star_vertex(piece) or bool(self.are_stars([piece], task)[0])
+        return self.has_common_star_vertex(piece, task) or bool(self.are_stars([piece], task)[0])
 
-    def has_common_star_vertex(self, piece: Piece) -> bool:
+    def has_common_star_vertex(self, piece: Piece, task: Task) -> bool:
         """Tell whether one of its vertices sees the whole of a simple ring, in both polygons."""
         ring = np.array(piece)
-        stars = star_vertices(self.source, ring)
-        return bool(stars.any() and (stars & star_vertices(self.target, ring)).any())
+        stars = star_vertices(self.source, ring, task)
+        return bool(stars.any() and (stars & star_vertices(self.target, ring, task)).any())
 
-    def have_common_star_vertices(self, pieces: Sequence[Piece]) -> Relation:
+    def have_common_star_vertices(self, pieces: Sequence[Piece], task: Task) -> Relation:
         """Tell for which simple rings one of their vertices sees the whole, in both polygons."""
-        sides, small = (self.source, self.target), [len(piece) <= _SMALL for piece in pieces]
         found: Relation = np.zeros(len(pieces), dtype=bool)
-        rings = [np.array(piece) for piece, together in zip(pieces, small, strict=True) if together]
-        found[small] = have_star_vertices(sides, rings)
-        for k in np.flatnonzero(~np.array(small, dtype=bool)):
-            found[k] = self.has_common_star_vertex(pieces[k])
+        small = np.array([len(piece) <= _SMALL for piece in pieces], dtype=bool)
+        rings = [np.array(pieces[k]) for k in np.flatnonzero(small).tolist()]
+        found[small] = have_star_vertices((self.source, self.target), rings)
+        for k in np.flatnonzero(~small).tolist():
+            found[k] = self.has_common_star_vertex(pieces[k], task)
         return found
 
     def are_stars(self, pieces: Sequence[Piece], task: Task) -> Relation:
