@@ -7,9 +7,8 @@ from pathlib import Path
 from starskel.blending import METHODS
 from starskel.export.formats import FORMATS, LAYOUTS
 
-_FILE = "a project of the editor, or a file of pairs (polygon-pairs/1)"
+_FILE = "a project of the editor, or a file of pairs (polygon-pairs/1), of shapes too (polygon-multi-pairs/1)"
 _DRAWING = "a drawing or map (.svg, .geojson, .wkt), a project or a file of pairs (.json)"
-_SHAPES = ", of shapes too (polygon-multi-pairs/1)"
 
 
 def add_render(parser: argparse.ArgumentParser) -> None:
@@ -158,7 +157,7 @@ def add_completion(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("shell", choices=("bash", "zsh", "fish", "tcsh", "powershell"))
 
 
-def _add_pair(parser: argparse.ArgumentParser, file: str = _FILE + _SHAPES) -> None:
+def _add_pair(parser: argparse.ArgumentParser, file: str = _FILE) -> None:
     parser.add_argument("file", type=Path, metavar="FILE", help=file)
     parser.add_argument("--id", metavar="ID", help="the pair; may be left out where there is but one")
     parser.add_argument("--step", type=_step, metavar="N", help="only this step of a project, from 1 (all)")
