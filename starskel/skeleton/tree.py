@@ -1,6 +1,5 @@
 """The tree over the pieces, and its points."""
 
-from collections import deque
 from dataclasses import dataclass
 
 import numpy as np
@@ -65,7 +64,7 @@ class Skeleton:
 def skeleton_of(decomposition: Decomposition, root: int | None = None) -> Skeleton:
     """Span a tree over the pieces.
 
-    Pieces are reached breadth-first, each through the longest edge that it shares with its parent.
+    Pieces are reached breadth-first, each through the longest edge that it shares with one reached before.
 
     Parameters
     ----------
@@ -82,27 +81,32 @@ def skeleton_of(decomposition: Decomposition, root: int | None = None) -> Skelet
         raise StarskelError(
             f"there is no piece {root} to be the root", f"give one from 0 to {len(decomposition.pieces) - 1}"
         )
-    neighbours = _neighbours(decomposition)
+    lengths = _lengths(decomposition)
+    neighbours = _neighbours(decomposition, lengths)
     if root is None:
         sizes = _sizes(decomposition)
         root = max(range(len(neighbours)), key=lambda piece: (len(neighbours[piece]), sizes[piece]))
     parents, gates = [-1] * len(neighbours), [(-1, -1)] * len(neighbours)
-    order, waiting = [root], deque([root])
-    while waiting:
-        piece = waiting.popleft()
-        for neighbour, (a, b) in neighbours[piece].items():
-            if neighbour != root and parents[neighbour] < 0:
-                parents[neighbour], gates[neighbour] = piece, (b, a)
-                order.append(neighbour)
-                waiting.append(neighbour)
+    order, reached = [root], [root]
+    while reached:
+        widest: dict[int, tuple[int, Edge]] = {}
+        for piece in reached:
+            for neighbour, (a, b) in neighbours[piece].items():
+                if neighbour == root or parents[neighbour] >= 0:
+                    continue
+                if neighbour not in widest or lengths[b, a] > lengths[widest[neighbour][1]]:
+                    widest[neighbour] = piece, (b, a)
+        for neighbour, (piece, gate) in widest.items():
+            parents[neighbour], gates[neighbour] = piece, gate
+        reached = list(widest)
+        order += reached
     return Skeleton(decomposition, root, tuple(order), tuple(parents), tuple(gates))
 
 
-def _neighbours(decomposition: Decomposition) -> list[dict[int, Edge]]:
+def _neighbours(decomposition: Decomposition, lengths: dict[Edge, float]) -> list[dict[int, Edge]]:
     """Give for each piece its neighbours, counter-clockwise, and the longest edge shared with each."""
     edges = [edges_of(piece) for piece in decomposition.pieces]
     owner = {edge: piece for piece, own in enumerate(edges) for edge in own}
-    lengths = _lengths(decomposition, list(owner))
     found: list[dict[int, Edge]] = []
     for own in edges:
         shared: dict[int, Edge] = {}
@@ -123,8 +127,12 @@ def _sizes(decomposition: Decomposition) -> list[float]:
     return list(total.tolist())
 
 
-def _lengths(decomposition: Decomposition, edges: list[Edge]) -> dict[Edge, float]:
-    """Give the edges' lengths as parts of the boxes, source and target together."""
+def _lengths(decomposition: Decomposition) -> dict[Edge, float]:
+    """Give the lengths of the pieces' edges as parts of the boxes, source and target together.
+
+    An edge has the same length from both its sides, to the bit.
+    """
+    edges = [edge for piece in decomposition.pieces for edge in edges_of(piece)]
     total = np.zeros(len(edges))
     for points in (decomposition.source, decomposition.target):
         ends = points[np.array(edges)]

@@ -1,0 +1,81 @@
+"""Blends of shapes do not depend on where, how large, and in which order shapes are given."""
+
+import numpy as np
+import pytest
+
+import starskel
+from starskel.files.examples import example
+
+EXAMPLES = ("letters-a-r", "letters-i-j", "figure-9-fish")
+METHODS = ("stitched", "rigid", "star-skeleton", "edge-angle", "vertex")
+TIMES = np.array([0.2, 0.5, 0.9])
+
+
+def given(name):
+    """Both shapes as lists of rings, and marks that fix how rows correspond, so that none are suggested."""
+    pair = example(name).pair(0)
+    matched = starskel.match(pair.source, pair.target, pair.marks, pairing=pair.pairing)
+    frames = starskel.blend(matched, method="vertex").frames([0, 1])
+    return *frames, [[(k, k) for k in range(len(ring))] for ring in frames[0]]
+
+
+def frames(source, target, marks, method):
+    pairing = [(k, k) for k in range(len(source))]
+    made = starskel.blend(starskel.Shape(source), starskel.Shape(target), marks, method, pairing=pairing)
+    return [np.stack(rings) for rings in zip(*made.frames(TIMES), strict=True)]
+
+
+def assert_like(found, expected):
+    size = max(np.ptp(ring, axis=(0, 1)).max() for ring in expected)
+    for one, other in zip(found, expected, strict=True):
+        np.testing.assert_allclose(one, other, atol=1e-7 * size)
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_scaled_and_moved_shapes_have_the_same_frames(name, method):
+    source, target, marks = given(name)
+    expected = frames(source, target, marks, method)
+    for scale, offset in ((1e6, 0.0), (1e-6, 100e-6)):
+        found = frames(
+            [scale * ring + offset for ring in source],
+            [scale * ring + offset for ring in target],
+            marks,
+            method,
+        )
+        assert_like([(ring - offset) / scale for ring in found], expected)
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_the_order_of_rings_does_not_matter(name, method):
+    source, target, marks = given(name)
+    expected = frames(source, target, marks, method)
+    found = frames(source[::-1], target[::-1], marks[::-1], method)
+    assert_like(found[::-1], expected)
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_exchanged_shapes_go_the_same_way_back(name, method):
+    source, target, marks = given(name)
+    pairing = [(k, k) for k in range(len(source))]
+    there, back = (
+        starskel.blend(starskel.Shape(a), starskel.Shape(b), marks, method, pairing=pairing)
+        for a, b in ((source, target), (target, source))
+    )
+    for t in TIMES:
+        assert_like([r[None] for r in back.at(1 - t)], [r[None] for r in there.at(t)])
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("name", [*EXAMPLES, "letters-b-8"])
+def test_mirrored_shapes_have_mirrored_frames(name, method):
+    source, target, marks = given(name)
+
+    def mirrored(rings):
+        return [(ring * [-1, 1])[::-1] for ring in rings]
+
+    expected = frames(source, target, marks, method)
+    found = frames(mirrored(source), mirrored(target), marks, method)
+    assert_like([(ring * [-1, 1])[:, ::-1] for ring in found], expected)
