@@ -75,7 +75,7 @@ def _bent(bridges: Bridges, regions: Sequence[Region], task: Task) -> Iterator[C
     """Give the chains that can be drawn, the cheapest first."""
     for found in chains(bridges, BENT, task):
         task.reach(0)
-        bends = bends_of(regions, found)
+        bends = bends_of(regions, found, task)
         if bends is not None:
             counts = tuple(map(len, bends[0]))
             yield Chain(found, counts, np.stack([np.concatenate(own) for own in bends]))

@@ -115,8 +115,8 @@ def chains(bridges: Bridges, search: Search, task: Task) -> Iterator[tuple[Bridg
     for step in range(bridges.rings):
         longer: dict[tuple[frozenset[int], int], list[_Chain]] = {}
         for chain in known:
-            task.reach(0)
             for goal in sorted(holes - chain.holes) if step < len(holes) else [0]:
+                task.reach(0)
                 for cost, bridge in found[chain.ring, goal]:
                     met = sum(crossings.get(frozenset((bridge, other)), 0) for other in chain.bridges)
                     price = cost + (search.bend_price * met if met else 0.0)

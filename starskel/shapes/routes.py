@@ -14,6 +14,7 @@ from starskel.polar import as_points
 from starskel.predicates import Complex, Floats
 from starskel.shapes.ground import Ground
 from starskel.shapes.region import Region, meeting
+from starskel.task import Task
 
 ROUNDS = 3
 """How often all bridges are straightened: one that has got straight leaves more room to the others."""
@@ -30,34 +31,36 @@ Bridge = tuple[int, int]
 """The rows where it begins and ends."""
 
 
-def bends_of(regions: Sequence[Region], bridges: Sequence[Bridge]) -> list[list[Floats]] | None:
+def bends_of(regions: Sequence[Region], bridges: Sequence[Bridge], task: Task) -> list[list[Floats]] | None:
     """Give the bends of bridges in all of some regions, equally many in each.
 
     Returns
     -------
     For each region a list of (k, 2) arrays; None where something is too narrow for floats to name a way.
     """
-    drawn = [_drawn(region, bridges) for region in regions]
+    drawn = [_drawn(region, bridges, task) for region in regions]
     ways = [own for own in drawn if own is not None]
     if len(ways) < len(regions):
         return None
     counts = [max(map(len, same)) for same in zip(*ways, strict=True)]
-    bent = [_bent(region, own, counts) for region, own in zip(regions, ways, strict=True)]
+    bent = [_bent(region, own, counts, task) for region, own in zip(regions, ways, strict=True)]
     if any(own is None for own in bent):
         return None
     return [[as_points(way[1:-1]) for way in own] for own in bent if own is not None]
 
 
-def _drawn(region: Region, bridges: Sequence[Bridge]) -> list[Complex] | None:
+def _drawn(region: Region, bridges: Sequence[Bridge], task: Task) -> list[Complex] | None:
     ground = Ground(region)
     ways = []
     for bridge in bridges:
+        task.reach(0)
         way = ground.draw(*bridge)
         if way is None:
             return None
         ways.append(way)
     for _ in range(ROUNDS):
         for number, way in enumerate(ways):
+            task.reach(0)
             if len(way) > 2:
                 ways[number] = _straightened(region, way, ways[:number] + ways[number + 1 :])
     fine = all(_is_clear(region, way, ways[:number]) for number, way in enumerate(ways))
@@ -82,11 +85,12 @@ def _straightened(region: Region, way: Complex, others: Sequence[Complex]) -> Co
     return shorter if _is_clear(region, shorter, others) else way
 
 
-def _bent(region: Region, ways: Sequence[Complex], counts: Sequence[int]) -> list[Complex] | None:
+def _bent(region: Region, ways: Sequence[Complex], counts: Sequence[int], task: Task) -> list[Complex] | None:
     """Bend ways until each has so many points."""
     bent = list(ways)
     for number, count in enumerate(counts):
         while len(bent[number]) < count:
+            task.reach(0)
             more = _bulging(region, bent[number], bent[:number] + bent[number + 1 :])
             if more is None:
                 return None
