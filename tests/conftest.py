@@ -5,12 +5,13 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
-from starskel.files.pairs import PairsFile, ShapePair, read_pairs
+from starskel.files.pair_file import PairFile
+from starskel.files.pairs import ShapePair, read_pairs
 
 settings.register_profile("patient", deadline=None)  # a busy machine is no fault
 settings.load_profile("patient")
 
-FILES: dict[str, PairsFile] = {
+FILES: dict[str, PairFile[ShapePair]] = {
     pair_id: file
     for file in map(read_pairs, sorted(Path(__file__).parent.glob("shapes/*.json")))
     for pair_id in file.ids

@@ -26,11 +26,12 @@ from starskel.errors import StarskelError
 from starskel.files import multi_pairs, pairs
 from starskel.files.documents import format_of
 from starskel.files.examples import example
-from starskel.files.multi_pairs import MultiPairsFile, read_multi_pairs
-from starskel.files.pairs import PairsFile, read_pairs
+from starskel.files.multi_pairs import MultiPair, read_multi_pairs
+from starskel.files.pair_file import PairFile
+from starskel.files.pairs import ShapePair, read_pairs
 from starskel.files.project import Project
 
-PAIRS: dict[str, Callable[[Path], PairsFile | MultiPairsFile]] = {
+PAIRS: dict[str, Callable[[Path], PairFile[ShapePair] | PairFile[MultiPair]]] = {
     pairs.FORMAT: read_pairs,
     multi_pairs.FORMAT: read_multi_pairs,
 }
@@ -125,7 +126,7 @@ class Files(QObject):
             self._folder = path.parent
             self.exported.emit(path)
 
-    def _open_pair(self, file: PairsFile | MultiPairsFile) -> None:
+    def _open_pair(self, file: PairFile[ShapePair] | PairFile[MultiPair]) -> None:
         chosen: str | None = file.ids[0]
         if len(file.ids) > 1:
             dialog = PairDialog(file.ids, self._window)

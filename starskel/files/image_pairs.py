@@ -1,6 +1,7 @@
 """Files of pairs of pictures, format image-pairs/1: outlines in pixels, y down, and PNG files beside them."""
 
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path, PurePosixPath
 
 import msgspec
@@ -8,7 +9,8 @@ import msgspec
 from starskel.correspondence.marks import Mark
 from starskel.errors import InvalidFile, told
 from starskel.files.documents import check_format, read_document
-from starskel.files.pairs import ShapePair, by_id, entry_of
+from starskel.files.pair_file import PairFile
+from starskel.files.pairs import ShapePair
 from starskel.files.picture import Picture
 from starskel.files.project import Project, letter, of_polygons
 from starskel.files.raster import image_of, read_image
@@ -52,52 +54,7 @@ class ImagePair:
     target: PlacedImage | None
 
 
-class ImagePairsFile:
-    """The pairs of one file; each pair is checked when it is asked for, so that one bad pair spoils no other.
-
-    Attributes
-    ----------
-    path : Path
-        The file.
-    ids : tuple of str
-        The names of its pairs, in the file's order.
-    """
-
-    def __init__(self, path: Path, entries: list[_Entry]) -> None:
-        self.path = path
-        self._entries = by_id(path, entries)
-        self.ids = tuple(self._entries)
-
-    def pair(self, pair_id: str) -> ImagePair:
-        """Give the pair of this name: a pixel is a unit, the origin is the lower left corner of each picture.
-
-        Raises
-        ------
-        InvalidFile
-            If there is none, naming the nearest ones, or if its pictures, outlines or marks are invalid.
-        """
-        entry = entry_of(self.path, self._entries, pair_id)
-        where = told('{path}: pair "{name}"', path=self.path, name=entry.id)
-        first = self._side(entry.p, told("{where}: {what}", where=where, what=told("source (p)")))
-        second = self._side(entry.q, told("{where}: {what}", where=where, what=told("target (q)")))
-        source, target, marks = marked_shapes(first[1], second[1], entry.marks, where)
-        return ImagePair(ShapePair(entry.id, source, target, marks), first[0], second[0])
-
-    def _side(self, side: _Side, where: str) -> tuple[PlacedImage, Polygon]:
-        name = PurePosixPath(side.image)
-        if name.is_absolute() or ".." in name.parts or "\\" in side.image:
-            raise InvalidFile(
-                told(
-                    '{where}: the picture "{name}" is not in the folder of the file', where=where, name=name
-                ),
-                told("put it beside the file and give its name alone"),
-            )
-        picture = PlacedImage(read_image(self.path.parent / name))
-        rows = picture.to_document(side.outline).tolist() if side.outline else []
-        return picture, polygon_of(rows, where)
-
-
-def read_image_pairs(path: Path) -> ImagePairsFile:
+def read_image_pairs(path: Path) -> PairFile[ImagePair]:
     """Read a file of pairs of pictures.
 
     Raises
@@ -106,7 +63,28 @@ def read_image_pairs(path: Path) -> ImagePairsFile:
         If it cannot be read, is no such file, or has no pair or two pairs of one name.
     """
     check_format(path, FORMAT)
-    return ImagePairsFile(path, read_document(path, _Document).pairs)
+    return PairFile(path, read_document(path, _Document).pairs, partial(_checked, path))
+
+
+def _checked(path: Path, entry: _Entry) -> ImagePair:
+    """Make a pair: a pixel is a unit, the origin is the lower left corner of each picture."""
+    where = told('{path}: pair "{name}"', path=path, name=entry.id)
+    first = _side(path, entry.p, told("{where}: {what}", where=where, what=told("source (p)")))
+    second = _side(path, entry.q, told("{where}: {what}", where=where, what=told("target (q)")))
+    source, target, marks = marked_shapes(first[1], second[1], entry.marks, where)
+    return ImagePair(ShapePair(entry.id, source, target, marks), first[0], second[0])
+
+
+def _side(path: Path, side: _Side, where: str) -> tuple[PlacedImage, Polygon]:
+    name = PurePosixPath(side.image)
+    if name.is_absolute() or ".." in name.parts or "\\" in side.image:
+        raise InvalidFile(
+            told('{where}: the picture "{name}" is not in the folder of the file', where=where, name=name),
+            told("put it beside the file and give its name alone"),
+        )
+    picture = PlacedImage(read_image(path.parent / name))
+    rows = picture.to_document(side.outline).tolist() if side.outline else []
+    return picture, polygon_of(rows, where)
 
 
 def of_project(path: Path, project: Project, step: int) -> ImagePair:

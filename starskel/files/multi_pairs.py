@@ -1,6 +1,7 @@
 """Files of pairs of shapes, format polygon-multi-pairs/1: lists of rings, holes among them like parts."""
 
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import msgspec
@@ -8,7 +9,7 @@ import msgspec
 from starskel.correspondence.marks import Mark
 from starskel.errors import InvalidFile, InvalidMarks, InvalidPolygon
 from starskel.files.documents import check_format, read_document
-from starskel.files.pairs import by_id, entry_of
+from starskel.files.pair_file import PairFile
 from starskel.files.shapes import Row
 from starskel.shapes.given import Places
 from starskel.shapes.pairing import Link, checked_pairing, suggest_pairing
@@ -75,46 +76,7 @@ class MultiPair:
     description: str = ""
 
 
-class MultiPairsFile:
-    """The pairs of one file; each pair is checked when it is asked for, so that one bad pair spoils no other.
-
-    Attributes
-    ----------
-    path : Path
-        The file.
-    ids : tuple of str
-        The names of its pairs, in the file's order.
-    """
-
-    def __init__(self, path: Path, entries: list[_Entry]) -> None:
-        self.path = path
-        self._entries = by_id(path, entries)
-        self.ids = tuple(self._entries)
-
-    def pair(self, pair_id: str) -> MultiPair:
-        """Give the pair of this name.
-
-        Raises
-        ------
-        InvalidFile
-            If there is none, naming the nearest ones, or if its rings or pairs are invalid.
-        """
-        entry = entry_of(self.path, self._entries, pair_id)
-        side = "source (p)"
-        try:
-            source = Shape(entry.p)
-            side = "target (q)"
-            target = Shape(entry.q)
-            side = "pairing"
-            pairing = checked_pairing(source, target, _pairing(entry, source, target))
-        except (InvalidPolygon, InvalidMarks) as error:
-            raise InvalidFile(f'{self.path}: pair "{entry.id}": {side}: {error.what}', error.mend) from error
-        marks = tuple(map(tuple, entry.marks))
-        places = {place.pair: place.at for place in entry.places}
-        return MultiPair(entry.id, source, target, pairing, marks, places, entry.source)
-
-
-def read_multi_pairs(path: Path) -> MultiPairsFile:
+def read_multi_pairs(path: Path) -> PairFile[MultiPair]:
     """Read a file of pairs of shapes.
 
     Raises
@@ -123,7 +85,22 @@ def read_multi_pairs(path: Path) -> MultiPairsFile:
         If it cannot be read, is no such file, or has no pair or two pairs of one name.
     """
     check_format(path, FORMAT)
-    return MultiPairsFile(path, read_document(path, _Document).pairs)
+    return PairFile(path, read_document(path, _Document).pairs, partial(_checked, path))
+
+
+def _checked(path: Path, entry: _Entry) -> MultiPair:
+    side = "source (p)"
+    try:
+        source = Shape(entry.p)
+        side = "target (q)"
+        target = Shape(entry.q)
+        side = "pairing"
+        pairing = checked_pairing(source, target, _pairing(entry, source, target))
+    except (InvalidPolygon, InvalidMarks) as error:
+        raise InvalidFile(f'{path}: pair "{entry.id}": {side}: {error.what}', error.mend) from error
+    marks = tuple(map(tuple, entry.marks))
+    places = {place.pair: place.at for place in entry.places}
+    return MultiPair(entry.id, source, target, pairing, marks, places, entry.source)
 
 
 def _pairing(entry: _Entry, source: Shape, target: Shape) -> list[Link]:
