@@ -6,7 +6,7 @@ from typing import Any
 
 import msgspec
 
-from starskel.command.measure import measured
+from starskel.command.figures import measured
 from starskel.errors import StarskelError
 from starskel.files.project import AnyPair
 
