@@ -13,6 +13,7 @@ Large polygons are triangulated, and diagonals that are not needed are dropped a
 """
 
 from bisect import insort
+from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
@@ -25,11 +26,14 @@ from starskel.visibility import Visibility
 
 Cut = tuple[int, int]
 
+Price = Callable[[Indices, Indices], Floats]
+"""Gives what diagonals cost, from places in the ring to others."""
+
 FEWEST = 200
 """Up to so many vertices the pieces are the fewest: beyond, the tables of n^3 entries grow too large."""
 
 
-def convex_cuts(ground: Triangulation, seen: Visibility, price: Floats, task: Task) -> list[Cut]:
+def convex_cuts(ground: Triangulation, seen: Visibility, price: Price, task: Task) -> list[Cut]:
     """Give diagonals, as pairs of places in the ring, that cut a polygon into few convex pieces.
 
     Parameters
@@ -38,7 +42,7 @@ def convex_cuts(ground: Triangulation, seen: Visibility, price: Floats, task: Ta
         The polygon.
     seen : Visibility
         Who sees whom in it.
-    price : (n, n) array
+    price : callable
         Which diagonals to prefer, the cheaper ones; n prices together stay below 1/2.
     task : Task
     """
@@ -55,7 +59,7 @@ class _Pieces:
     earlier one, less the prices of that piece.
     """
 
-    def __init__(self, points: Points, ring: Indices, seen: Visibility, price: Floats) -> None:
+    def __init__(self, points: Points, ring: Indices, seen: Visibility, price: Price) -> None:
         n = len(ring)
         self._seen = seen
         self._price = price
@@ -90,7 +94,7 @@ class _Pieces:
         narrow = np.maximum.accumulate(np.where(np.isfinite(cost), narrow, -np.inf), axis=1)
         self._narrowest[i[:, None], k[:, None], i[:, None] + np.arange(1, span)] = narrow
         proper = self._seen.diagonal[i, k]
-        self._cut[i[proper], k[proper]] = 1 + least[proper] + self._price[i[proper], k[proper]]
+        self._cut[i[proper], k[proper]] = 1 + least[proper] + self._price(i[proper], k[proper])
 
     def _costs(self, i: Indices, span: int) -> tuple[Floats, Indices]:
         """Give, for pieces on (i, i + span) with each last vertex in turn, the cost and the first vertex."""
@@ -143,7 +147,7 @@ def _limits(points: Points, ring: Indices, seen: Visibility) -> tuple[Indices, I
     return last, first
 
 
-def _needed_diagonals(ground: Triangulation, price: Floats, task: Task) -> list[Cut]:
+def _needed_diagonals(ground: Triangulation, price: Price, task: Task) -> list[Cut]:
     """Drop the diagonals of a triangulation that no vertex needs, the dearest first."""
     n = len(ground.ring)
     a, b = ground.triangles.ravel(), np.roll(ground.triangles, -1, axis=1).ravel()
@@ -153,7 +157,7 @@ def _needed_diagonals(ground: Triangulation, price: Floats, task: Task) -> list[
         insort(ways[u], v - u)
         insort(ways[v], n + u - v)
     needed = []
-    order = np.lexsort((b[inner], a[inner], -price[a[inner], b[inner]]))
+    order = np.lexsort((b[inner], a[inner], -price(a[inner], b[inner])))
     for u, v in zip(a[inner][order].tolist(), b[inner][order].tolist(), strict=True):
         task.reach(0)
         if _is_needed(ground, ways[u], u, v) or _is_needed(ground, ways[v], v, u):

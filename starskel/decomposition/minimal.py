@@ -35,6 +35,10 @@ from starskel.predicates import Floats
 from starskel.task import Task
 
 
+_ROWS = 256
+"""Rows of a table that are filled between two questions whether to stop."""
+
+
 @dataclass(frozen=True, eq=False)
 class _Tables:
     """Symmetric tables: entries [i, j] and [j, i], i < j, both belong to the span i..j.
@@ -70,12 +74,16 @@ def least_stuck_cells(links: Links, task: Task) -> list[Piece]:
 
 
 def _table(n: int, task: Task) -> Floats:
-    task.reach(0)
-    return np.full((n, n), np.inf)
+    table = np.empty((n, n))
+    for row in range(0, n, _ROWS):  # the first touch of so much memory takes long
+        task.reach(0)
+        table[row : row + _ROWS] = np.inf
+    return table
 
 
 def _fill(tables: _Tables, links: Links, task: Task) -> _Tables:
     n = len(links.sees)
+    task.reach(0)
     for table in (tables.f, tables.left, tables.right):
         _set(table, np.arange(n - 1), 1, np.zeros(n - 1))
     if tables.chain is not None:

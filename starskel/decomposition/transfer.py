@@ -15,14 +15,14 @@ at most, as it is itself as short as can be. That is O(n^2) Steiner vertices for
 
 import numpy as np
 
-from starskel.decomposition.convex import Cut, convex_cuts
-from starskel.decomposition.ladder import by_fan, climb
+from starskel.decomposition.convex import Cut, Price, convex_cuts
+from starskel.decomposition.ladder import by_fan, climb, triangulated
 from starskel.decomposition.paths import bends_between
 from starskel.decomposition.pieces import Piece
 from starskel.decomposition.tiling import Tiling
-from starskel.predicates import Floats, Relation
+from starskel.predicates import Floats, Indices, Relation
 from starskel.task import Task
-from starskel.triangulation import Triangulation, triangulate
+from starskel.triangulation import Triangulation
 from starskel.visibility import visibility
 
 
@@ -48,8 +48,7 @@ def transfer(tiling: Tiling, whole: Piece, task: Task) -> Tiling:
 
 def _fewer_cuts(tiling: Tiling, whole: Piece, task: Task) -> tuple[list[Cut], bool]:
     """Give the cuts of the polygon that needs fewer, and whether that is the target."""
-    ring = np.array(whole)
-    grounds = [triangulate(side, ring) for side in (tiling.source, tiling.target)]
+    grounds = triangulated(tiling, whole, task.quiet)
     seen = [visibility(ground, task) for ground in grounds]
     cuts = [
         convex_cuts(
@@ -61,12 +60,15 @@ def _fewer_cuts(tiling: Tiling, whole: Piece, task: Task) -> tuple[list[Cut], bo
     return [(whole[a], whole[b]) for a, b in cuts[swap]], swap
 
 
-def _price(ground: Triangulation, free: Relation) -> Floats:
+def _price(ground: Triangulation, free: Relation) -> Price:
     """Prefer diagonals that are diagonals of the other polygon as well, then short ones."""
     n = len(ground.ring)
-    x, y = ground.vertices.T
-    length = np.hypot(x[:, None] - x, y[:, None] - y)
-    price: Floats = (np.where(free, 0, n) + length / length.max()) / (2 * n * (n + 1))
+    longest = np.hypot(*np.ptp(ground.vertices, axis=0))
+
+    def price(i: Indices, j: Indices) -> Floats:
+        length = np.hypot(*np.moveaxis(ground.vertices[i] - ground.vertices[j], -1, 0))
+        return np.asarray((np.where(free[i, j], 0, n) + length / longest) / (2 * n * (n + 1)))
+
     return price
 
 
