@@ -34,7 +34,6 @@ from starskel.decomposition.pieces import Piece
 from starskel.predicates import Floats
 from starskel.task import Task
 
-
 _ROWS = 256
 """Rows of a table that are filled between two questions whether to stop."""
 
