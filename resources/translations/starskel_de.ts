@@ -627,6 +627,10 @@
         <source>choose a larger tolerance: {most} are the most</source>
         <translation>wählen Sie eine größere Toleranz: höchstens {most} sind möglich</translation>
     </message>
+    <message>
+        <source>pairing</source>
+        <translation>Zuordnung</translation>
+    </message>
 </context>
 <context>
     <name>AboutDialog</name>

@@ -7,7 +7,7 @@ from pathlib import Path
 import msgspec
 
 from starskel.correspondence.marks import Mark
-from starskel.errors import InvalidFile, InvalidMarks, InvalidPolygon
+from starskel.errors import InvalidFile, InvalidMarks, InvalidPolygon, told
 from starskel.files.documents import check_format, read_document
 from starskel.files.pair_file import PairFile
 from starskel.files.shapes import Row
@@ -89,15 +89,17 @@ def read_multi_pairs(path: Path) -> PairFile[MultiPair]:
 
 
 def _checked(path: Path, entry: _Entry) -> MultiPair:
-    side = "source (p)"
+    where = told('{path}: pair "{name}"', path=path, name=entry.id)
+    side = told("source (p)")
     try:
         source = Shape(entry.p)
-        side = "target (q)"
+        side = told("target (q)")
         target = Shape(entry.q)
-        side = "pairing"
+        side = told("pairing")
         pairing = checked_pairing(source, target, _pairing(entry, source, target))
     except (InvalidPolygon, InvalidMarks) as error:
-        raise InvalidFile(f'{path}: pair "{entry.id}": {side}: {error.what}', error.mend) from error
+        place = told("{where}: {what}", where=where, what=side)
+        raise InvalidFile(told("{where}: {what}", where=place, what=error.what), error.mend) from error
     marks = tuple(map(tuple, entry.marks))
     places = {place.pair: place.at for place in entry.places}
     return MultiPair(entry.id, source, target, pairing, marks, places, entry.source)

@@ -33,7 +33,6 @@ ONLY_FOR_PROGRAMS = (
     "points of shape",
     "there is no example",
     "marks cannot be suggested",
-    "{self.path}: pair",  # of files that the editor does not open
 )
 """Errors that nobody at the editor meets."""
 
