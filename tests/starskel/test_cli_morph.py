@@ -1,6 +1,7 @@
 import json
 from dataclasses import replace
 
+import av
 import numpy as np
 import pytest
 
@@ -98,7 +99,6 @@ def test_words_that_are_no_numbers_are_refused(pictures, words):
 
 
 def test_video(pictures):
-    av = pytest.importorskip("av")
     assert main(["morph", "pictures.json", "--rate", "6", "--size", "61", "-o", "x.mp4"]) == 0
     with av.open(str(pictures / "x.mp4")) as container:
         frames = list(container.decode(video=0))
