@@ -8,19 +8,19 @@ from PySide6.QtWidgets import QDockWidget, QMainWindow
 
 from app.session import Session
 from app.view.about import AboutDialog
-from app.view.actions import Actions
-from app.view.display import Layers
-from app.view.finder import Finder
-from app.view.history_list import HistoryList
-from app.view.options import SWITCHES
-from app.view.remembered import (
+from app.view.canvas.options import SWITCHES
+from app.view.commands.actions import Actions
+from app.view.commands.finder import Finder
+from app.view.commands.shortcuts import ShortcutsDialog, apply_shortcuts
+from app.view.files.remembered import (
     remember_last_file,
     remember_layout,
     remember_switches,
     restore_layout,
     switches,
 )
-from app.view.shortcuts import ShortcutsDialog, apply_shortcuts
+from app.view.lists.history_list import HistoryList
+from app.view.painting.display import Layers
 
 KEPT = (*SWITCHES, *(field.name for field in fields(Layers)))
 """The switches that are as they were at the next start: what the tools snap to, and what is shown."""

@@ -11,34 +11,34 @@ from app.model.marks import SIDES, Side, other
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.session import Session
 from app.tools.tool import Key
-from app.view import language, words
-from app.view.actions import Actions
-from app.view.backgrounds import Backgrounds
 from app.view.beginning import Beginning
-from app.view.canvas import NOTCH, Canvas
-from app.view.commands import LANGUAGES, PALETTE
+from app.view.canvas.canvas import NOTCH, Canvas
+from app.view.canvas.edits import Edits
+from app.view.canvas.mark_line import MarkLine
+from app.view.canvas.options import SWITCHES, OptionsBar
+from app.view.commands.actions import Actions
+from app.view.commands.menus import fill_menu_bar, layers_menu, methods_menu, tool_bar, tool_palette
+from app.view.commands.table import LANGUAGES, PALETTE
 from app.view.convenience import Convenience
-from app.view.display import Display, Layers
-from app.view.drops import Drops
-from app.view.edits import Edits
-from app.view.files import Files
-from app.view.icons import icon
-from app.view.mark_line import MarkLine
-from app.view.marks_table import MarksPanel
-from app.view.menus import fill_menu_bar, layers_menu, methods_menu, tool_bar, tool_palette
-from app.view.options import SWITCHES, OptionsBar
-from app.view.panels import Panels
-from app.view.partnering import Partnering
-from app.view.parts_list import PartsPanel
-from app.view.player import Player
-from app.view.project_menus import ExamplesMenu, RecentMenu
-from app.view.remembered import remember_theme
-from app.view.sequence_bar import SequenceBar
-from app.view.sequencing import Sequencing
+from app.view.files.backgrounds import Backgrounds
+from app.view.files.drops import Drops
+from app.view.files.files import Files
+from app.view.files.project_menus import ExamplesMenu, RecentMenu
+from app.view.files.remembered import remember_theme
+from app.view.lists.marks_table import MarksPanel
+from app.view.lists.partnering import Partnering
+from app.view.lists.parts_list import PartsPanel
+from app.view.painting.display import Display, Layers
+from app.view.painting.icons import icon
+from app.view.painting.theme import DARK, LIGHT, Theme, apply_theme, theme_of
+from app.view.panels.panels import Panels
+from app.view.sequence.sequence_bar import SequenceBar
+from app.view.sequence.sequencing import Sequencing
 from app.view.status import Status
-from app.view.theme import DARK, LIGHT, Theme, apply_theme, theme_of
-from app.view.timeline import Timeline
-from app.view.verdicts import next_crossing
+from app.view.timeline.player import Player
+from app.view.timeline.timeline import Timeline
+from app.view.wording import language, words
+from app.view.wording.verdicts import next_crossing
 
 LAYERS = tuple(field.name for field in fields(Layers))
 """Switches of what is shown, which have the names of their commands."""

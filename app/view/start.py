@@ -11,11 +11,11 @@ from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from app.session import Session
 from app.view.beginning import begun
-from app.view.clipboard import leave_clipboard
-from app.view.language import chosen, speak, spoken
+from app.view.canvas.clipboard import leave_clipboard
+from app.view.files.remembered import last_file, theme_name
 from app.view.main_window import MainWindow
-from app.view.remembered import last_file, theme_name
-from app.view.theme import DARK, LIGHT, Theme, apply_theme
+from app.view.painting.theme import DARK, LIGHT, Theme, apply_theme
+from app.view.wording.language import chosen, speak, spoken
 
 FIRST_EXAMPLE = "arm"
 

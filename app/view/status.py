@@ -9,10 +9,10 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar, QToolButton
 
 from app.session import Session
-from app.view import words
-from app.view.actions import Actions
-from app.view.counts import COUNTS
-from app.view.fitting_label import FittingLabel
+from app.view.commands.actions import Actions
+from app.view.wording import words
+from app.view.wording.counts import COUNTS
+from app.view.wording.fitting_label import FittingLabel
 
 NOTICE = 12_000
 """Milliseconds that a notice stays."""

@@ -12,9 +12,9 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from app.session import Session
-from app.view.clipboard import leave_clipboard
+from app.view.canvas.clipboard import leave_clipboard
 from app.view.main_window import MainWindow
-from app.view.theme import LIGHT, apply_theme
+from app.view.painting.theme import LIGHT, apply_theme
 from tests.app.driver import Driver
 from tests.app.leftovers import every_dialog_answered, left_alive
 

@@ -14,7 +14,7 @@ import starskel
 from app.session import Session
 from app.tools.tool import Pointer
 from app.view.main_window import MainWindow
-from app.view.theme import LIGHT, apply_theme
+from app.view.painting.theme import LIGHT, apply_theme
 from starskel.files.pairs import ShapePair
 from starskel.files.project import Project
 from starskel.polygon import Polygon

@@ -14,10 +14,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.view.canvas import Canvas
-from app.view.commands import COMMANDS, MENUS, TOOLBAR
+from app.view.canvas.canvas import Canvas
+from app.view.commands.table import COMMANDS, MENUS, TOOLBAR
 from app.view.main_window import MainWindow
-from app.view.theme import DARK, LIGHT, Theme, apply_theme
+from app.view.painting.theme import DARK, LIGHT, Theme, apply_theme
 
 SUBMENUS = {"methods", "layers"}
 

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from app.view.camera import Camera
+from app.view.painting.camera import Camera
 
 CAMERA = Camera(400, 300, 2.5, (30.0, -20.0))
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QColor, QImage
 
-from app.view.frame_view import FrameView
+from app.view.panels.frame_view import FrameView
 from starskel.files.key_shape import KeyShape
 from starskel.files.picture import Picture
 from starskel.files.project import Project

@@ -3,8 +3,8 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from app.view.chart_layout import LANE, ChartLayout
-from app.view.verdicts import Span, crossing_spans, next_crossing
+from app.view.timeline.chart_layout import LANE, ChartLayout
+from app.view.wording.verdicts import Span, crossing_spans, next_crossing
 from starskel.files.examples import example
 from starskel.quality import Report
 from starskel.quality.report import Crossing

@@ -10,11 +10,11 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton, QToolButton, QWidget
 
 from app.session import Session
-from app.view import remembered
 from app.view.about import AboutDialog, versions
-from app.view.finder import Finder, matches
+from app.view.commands.finder import Finder, matches
+from app.view.commands.shortcuts import ShortcutsDialog, changed_shortcuts
+from app.view.files import remembered
 from app.view.main_window import MainWindow
-from app.view.shortcuts import ShortcutsDialog, changed_shortcuts
 from app.view.start import begin
 from starskel.files.key_shape import KeyShape
 from starskel.files.project import Project

@@ -3,7 +3,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
 from app.model.easing import PRESETS
-from app.view.easing_button import EasingButton
+from app.view.timeline.easing_button import EasingButton
 from starskel.easing import EVEN, Easing
 from tests.app.driver import CONTROL, LEFT, PLAIN, SHIFT, Driver
 

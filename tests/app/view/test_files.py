@@ -14,9 +14,9 @@ from PySide6.QtWidgets import (
 )
 
 from app.playback import Repeat
-from app.view import exporting, files
-from app.view.dialogs import PairDialog, SaveDialog
-from app.view.export_dialog import ExportDialog
+from app.view.files import exporting, files
+from app.view.files.dialogs import PairDialog, SaveDialog
+from app.view.files.export_dialog import ExportDialog
 from app.view.main_window import MainWindow
 from starskel.easing import Easing
 from starskel.files.examples import example

@@ -14,10 +14,10 @@ from PySide6.QtWidgets import QApplication, QMenu, QWidget
 
 import app
 from app.model.document import Document
-from app.view import language, words
-from app.view.counts import COUNTS
 from app.view.main_window import MainWindow
-from app.view.verdicts import summaries
+from app.view.wording import language, words
+from app.view.wording.counts import COUNTS
+from app.view.wording.verdicts import summaries
 from starskel.errors import StarskelError, either, told
 from starskel.files.examples import resource_folder
 from starskel.polygon import Polygon

@@ -2,7 +2,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
-from app.view import words
+from app.view.wording import words
 from starskel.errors import InvalidMarks
 from starskel.files.examples import example
 from tests.app.driver import CONTROL, Driver

@@ -8,8 +8,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QColorDialog, QComboBox, QLineEdit, QWidget
 
 from app.model.pairing import Ends
-from app.view.parts_list import PartsTable
-from app.view.parts_model import NAME, SOURCE, TARGET
+from app.view.lists.parts_list import PartsTable
+from app.view.lists.parts_model import NAME, SOURCE, TARGET
 from starskel.files.key_shape import KeyShape
 from starskel.files.project import Project
 from starskel.files.step import Link, Step

@@ -7,8 +7,8 @@ from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QSlider
 
-from app.view.camera import Camera
-from app.view.pictures import LARGEST, picture_of
+from app.view.painting.camera import Camera
+from app.view.painting.pictures import LARGEST, picture_of
 from starskel.errors import InvalidFile
 from starskel.files.picture import Picture
 from tests.app.driver import CONTROL, LEFT, PLAIN, SQUARE, Driver, name_file

@@ -3,7 +3,7 @@ import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage, QPainter
 
-from app.view.pins import CAPTION, Pin, free_box, outward, paint_pins
+from app.view.painting.pins import CAPTION, Pin, free_box, outward, paint_pins
 
 SQUARE = np.array([(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)])
 ROOM = QRectF(0, 0, 400, 300)

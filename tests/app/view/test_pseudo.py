@@ -11,8 +11,8 @@ from PySide6.QtWidgets import QApplication, QColorDialog, QFileDialog, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.tools.toolbox import TOOLS
-from app.view.commands import COMMANDS
-from app.view.dialogs import PairDialog, ask_about_changes, complain
+from app.view.commands.table import COMMANDS
+from app.view.files.dialogs import PairDialog, ask_about_changes, complain
 from app.view.main_window import MainWindow
 from starskel.errors import InvalidFile, told
 from tests.app.driver import Driver

@@ -7,8 +7,8 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDoubleSpinBox
 
-from app.view.key_strip import KeyStrip
-from app.view.strip_layout import StripLayout
+from app.view.sequence.key_strip import KeyStrip
+from app.view.sequence.strip_layout import StripLayout
 from starskel.files.key_shape import KeyShape
 from starskel.files.project import Project
 from starskel.files.project_file import read_project

@@ -6,7 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QSlider, QSpinBox
 
 from app.model.marks import Side
-from app.view.clipboard import leave_clipboard
+from app.view.canvas.clipboard import leave_clipboard
 from tests.app.driver import CONTROL, LEFT, PLAIN, SHIFT, SQUARE, TRIANGLE, Driver
 
 FLAG = ((10, 10), (90, 10), (90, 60), (50, 40), (10, 60))

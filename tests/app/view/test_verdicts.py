@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.view.verdicts import crossing_rings, crossing_spans, details, summaries
+from app.view.wording.verdicts import crossing_rings, crossing_spans, details, summaries
 from starskel import Polygon, Report, blend, measure
 from starskel.quality import Crossing
 

@@ -3,10 +3,10 @@
 from PySide6.QtGui import QAccessible, QAction
 from PySide6.QtWidgets import QMenu, QTreeWidget, QWidget
 
-from app.view.commands import COMMANDS
-from app.view.finder import Finder, plain
+from app.view.commands.finder import Finder, plain
+from app.view.commands.shortcuts import ShortcutsDialog
+from app.view.commands.table import COMMANDS
 from app.view.main_window import MainWindow
-from app.view.shortcuts import ShortcutsDialog
 
 
 def names_told(root: QWidget) -> set[str]:

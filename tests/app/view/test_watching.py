@@ -7,8 +7,8 @@ from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QLabel
 
 from app.playback import Repeat
 from app.session import USUAL_METHODS
-from app.view.fitting_label import FittingLabel
-from app.view.panels import columns_for
+from app.view.panels.panels import columns_for
+from app.view.wording.fitting_label import FittingLabel
 from starskel.files.examples import example
 from starskel.files.key_shape import KeyShape
 from starskel.files.project import Project

@@ -1,0 +1,1 @@
+"""The two shapes, looked at and edited."""

@@ -1,0 +1,1 @@
+"""Projects and exports from the user's side, and what is remembered."""

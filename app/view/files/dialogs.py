@@ -1,0 +1,165 @@
+"""Questions to the user: which file, which pair, save or not; and what went wrong."""
+
+from collections.abc import Sequence
+from enum import Enum
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, Qt, Slot
+from PySide6.QtGui import QImageReader
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QLabel,
+    QLineEdit,
+    QListWidget,
+    QMessageBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.view.wording import words
+from starskel.errors import StarskelError
+
+translate = QCoreApplication.translate
+
+PROJECT_ENDING = ".json"
+
+
+class Answer(Enum):
+    """What to do with unsaved changes."""
+
+    SAVE = "save"
+    DISCARD = "discard"
+    CANCEL = "cancel"
+
+
+def path_to_open(parent: QWidget, folder: Path) -> Path | None:
+    """Ask for a project or a file of pairs, from a folder on; None where the user thinks better of it."""
+    title = translate("Dialogs", "Open")
+    kinds = translate("Dialogs", "Projects and polygon pairs (*.json);;All files (*)")
+    path, _ = QFileDialog.getOpenFileName(parent, title, str(folder), kinds)
+    return Path(path) if path else None
+
+
+def picture_to_open(parent: QWidget, folder: Path) -> Path | None:
+    """Ask for a picture to draw over; None where the user thinks better of it."""
+    endings = " ".join(f"*.{bytes(kind.data()).decode()}" for kind in QImageReader.supportedImageFormats())
+    title = translate("Dialogs", "Open picture")
+    kinds = translate("Dialogs", "Pictures ({endings});;All files (*)").format(endings=endings)
+    path, _ = QFileDialog.getOpenFileName(parent, title, str(folder), kinds)
+    return Path(path) if path else None
+
+
+def path_to_save(parent: QWidget, title: str, suggested: Path, endings: Sequence[str]) -> Path | None:
+    """Ask where to write a file; a name without an ending gets the one of the chosen kind.
+
+    The dialog itself must know the ending: it asks before it lets a file be overwritten.
+    """
+    dialog = SaveDialog(parent, title, suggested, endings)
+    try:
+        accepted = dialog.exec() == QDialog.DialogCode.Accepted
+        return Path(dialog.selectedFiles()[0]) if accepted else None
+    finally:
+        dialog.deleteLater()
+
+
+class SaveDialog(QFileDialog):
+    """Asks where to write a file in one of several formats."""
+
+    def __init__(self, parent: QWidget, title: str, suggested: Path, endings: Sequence[str]) -> None:
+        super().__init__(parent, title, str(suggested.parent))
+        self._endings = {f"{ending[1:].upper()} (*{ending})": ending for ending in endings}
+        self.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        self.setFileMode(QFileDialog.FileMode.AnyFile)
+        self.setNameFilters(list(self._endings))
+        self.setDefaultSuffix(endings[0][1:])
+        self._suggest(suggested.name)
+        self.filterSelected.connect(self._follow)
+
+    @Slot(str)
+    def _follow(self, kind: str) -> None:
+        """Give the name the ending of the kind that was chosen."""
+        ending = self._endings[kind]
+        self.setDefaultSuffix(ending[1:])
+        chosen = Path(self.selectedFiles()[0])
+        if chosen.suffix in self._endings.values():
+            self._suggest(chosen.with_suffix(ending).name)
+
+    def _suggest(self, name: str) -> None:
+        """Write a name into the field, and into the field alone.
+
+        Qt selects a file of this name in the list as well. Until it has read the folder, typing does not take
+        that back, and Enter would save to the file selected, not to the one typed.
+        """
+        self.selectFile(name)
+        for files in self.findChildren(QAbstractItemView):
+            files.clearSelection()
+
+
+def ask_about_changes(parent: QWidget, name: str) -> Answer:
+    """Ask whether to save unsaved changes before they would be lost."""
+    box = QMessageBox(parent)
+    box.setIcon(QMessageBox.Icon.Question)
+    box.setWindowTitle(translate("Dialogs", "Unsaved changes"))
+    box.setText(translate("Dialogs", "Save the changes to “{name}”?").format(name=name))
+    box.setInformativeText(translate("Dialogs", "Otherwise they are lost."))
+    kind = QMessageBox.StandardButton
+    box.setStandardButtons(kind.Save | kind.Discard | kind.Cancel)
+    box.setDefaultButton(kind.Save)
+    answers = {kind.Save: Answer.SAVE, kind.Discard: Answer.DISCARD}
+    return answers.get(kind(box.exec()), Answer.CANCEL)
+
+
+def complain(parent: QWidget, heading: str, error: StarskelError) -> None:
+    """Say what went wrong, where, and how to mend it."""
+    box = QMessageBox(parent)
+    box.setIcon(QMessageBox.Icon.Warning)
+    box.setWindowTitle(translate("Dialogs", "Not possible"))
+    box.setTextFormat(Qt.TextFormat.PlainText)
+    box.setText(heading)
+    box.setInformativeText(words.sentences(error, "\n\n"))
+    box.exec()
+
+
+class PairDialog(QDialog):
+    """Lets the user choose one of the pairs of a file."""
+
+    def __init__(self, ids: Sequence[str], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Choose a pair"))
+        self.resize(360, 420)
+        self._filter = QLineEdit()
+        self._filter.setPlaceholderText(self.tr("Filter"))
+        self._filter.setAccessibleName(self.tr("Filter"))
+        self._filter.setClearButtonEnabled(True)
+        self._filter.textChanged.connect(self._narrow)
+        self._list = QListWidget()
+        self._list.setAccessibleName(self.tr("Pairs"))
+        self._list.addItems(list(ids))
+        self._list.setCurrentRow(0)
+        self._list.itemDoubleClicked.connect(self.accept)
+        kind = QDialogButtonBox.StandardButton
+        self._buttons = QDialogButtonBox(kind.Open | kind.Cancel)
+        self._buttons.accepted.connect(self.accept)
+        self._buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.addWidget(QLabel(self.tr("The file holds {count} pairs of shapes.").format(count=len(ids))))
+        for widget in (self._filter, self._list, self._buttons):
+            layout.addWidget(widget)
+
+    @property
+    def chosen(self) -> str | None:
+        """The pair chosen, None where the filter leaves none."""
+        item = self._list.currentItem()
+        return None if item is None or item.isHidden() else item.text()
+
+    @Slot(str)
+    def _narrow(self, text: str) -> None:
+        found = self._list.findItems(text, Qt.MatchFlag.MatchContains)
+        for row in range(self._list.count()):
+            self._list.item(row).setHidden(self._list.item(row) not in found)
+        if found:
+            self._list.setCurrentItem(found[0])
+        self._buttons.button(QDialogButtonBox.StandardButton.Open).setEnabled(bool(found))

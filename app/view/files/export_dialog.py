@@ -1,0 +1,152 @@
+"""What to export: keyframes, pages, a sheet of all methods, an animation, or coordinates."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Slot
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QDoubleSpinBox,
+    QFormLayout,
+    QLabel,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.export import FORMATS, Choice, Layout
+from app.playback import Repeat
+from app.view.painting.display import Display
+from app.view.timeline.player import Player
+from app.view.wording import words
+
+_LAYOUTS: tuple[tuple[Layout, object], ...] = (
+    ("row", QT_TRANSLATE_NOOP("ExportDialog", "Keyframes in a row")),
+    ("frame", QT_TRANSLATE_NOOP("ExportDialog", "One frame")),
+    ("pages", QT_TRANSLATE_NOOP("ExportDialog", "A page for each keyframe")),
+    ("sheet", QT_TRANSLATE_NOOP("ExportDialog", "All methods side by side")),
+    ("animation", QT_TRANSLATE_NOOP("ExportDialog", "Animation")),
+    ("numbers", QT_TRANSLATE_NOOP("ExportDialog", "Coordinates of keyframes")),
+)
+
+
+class ExportDialog(QDialog):
+    """Asks for a `Choice`; fields that do not matter for the layout are greyed out."""
+
+    def __init__(
+        self,
+        methods: Sequence[str],
+        player: Player,
+        display: Display,
+        parent: QWidget | None = None,
+        *,
+        whole: bool = False,
+    ) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Export keyframes"))
+        self._layout_field = QComboBox()
+        for layout, text in _LAYOUTS:
+            self._layout_field.addItem(QCoreApplication.translate("ExportDialog", str(text)), layout)
+        self._method = QComboBox()
+        for method in methods:
+            self._method.addItem(words.method(method), method)
+        self._frames = QSpinBox()
+        self._frames.setRange(2, 240)
+        self._frames.setValue(6)
+        self._t = QDoubleSpinBox()
+        self._t.setRange(0, 1)
+        self._t.setSingleStep(0.01)
+        self._t.setValue(player.t)
+        self._seconds = QDoubleSpinBox()
+        self._seconds.setRange(0.1, 600)
+        self._seconds.setSuffix(self.tr(" s"))
+        self._seconds.setValue(player.duration)
+        self._returning = QCheckBox(self.tr("Back and forth"))
+        self._returning.setChecked(player.repeat == Repeat.PING_PONG)
+        self._can_be_whole = whole
+        self._whole = QCheckBox(self.tr("The whole sequence"))
+        self._whole.setToolTip(self.tr("From the first key shape to the last, once all steps are blended"))
+        self._whole.setChecked(whole)
+        self._easing = player.easing
+        self._eased = QCheckBox(self.tr("Apart as played, with easing"))
+        self._eased.setChecked(whole or not player.easing.even)
+        self._marks = QCheckBox(self.tr("Marks"))
+        self._pieces = QCheckBox(self.tr("Star pieces"))
+        self._pieces.setChecked(display.layers.pieces)
+        self._skeleton = QCheckBox(self.tr("Skeleton"))
+        self._skeleton.setChecked(display.layers.skeleton)
+        self._formats = QLabel()
+        self._arrange()
+        self._layout_field.currentIndexChanged.connect(self._follow)
+        self._whole.toggled.connect(self._follow)
+        self._follow()
+
+    @property
+    def choice(self) -> Choice:
+        """What was chosen."""
+        return Choice(
+            self._layout_field.currentData(),
+            self._method.currentData(),
+            self._frames.value(),
+            self._t.value(),
+            self._marks.isChecked(),
+            self._pieces.isChecked(),
+            self._skeleton.isChecked(),
+            self._eased.isChecked(),
+            self._whole.isEnabled() and self._whole.isChecked(),
+            self._seconds.value(),
+            self._returning.isChecked(),
+        )
+
+    def _arrange(self) -> None:
+        form = QFormLayout()
+        for label, field in (
+            (self.tr("&What"), self._layout_field),
+            ("", self._whole),
+            (self.tr("&Method"), self._method),
+            (self.tr("&Keyframes"), self._frames),
+            ("", self._eased),
+            (self.tr("&Time t"), self._t),
+            (self.tr("&Duration"), self._seconds),
+            ("", self._returning),
+            (self.tr("Show"), self._marks),
+            ("", self._pieces),
+            ("", self._skeleton),
+            (self.tr("Formats"), self._formats),
+        ):
+            form.addRow(label, field)
+            field.setAccessibleName(label.replace("&", "") or field.accessibleName())
+        for box in (
+            self._whole,
+            self._eased,
+            self._returning,
+            self._marks,
+            self._pieces,
+            self._skeleton,
+        ):
+            box.setAccessibleName(box.text())
+        kind = QDialogButtonBox.StandardButton
+        buttons = QDialogButtonBox(kind.Save | kind.Cancel)
+        buttons.button(kind.Save).setText(self.tr("&Export…"))
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.addLayout(form)
+        layout.addWidget(buttons)
+
+    @Slot()
+    def _follow(self) -> None:
+        layout: Layout = self._layout_field.currentData()
+        self._method.setEnabled(layout != "sheet")
+        self._frames.setEnabled(layout not in ("frame", "animation"))
+        self._whole.setEnabled(layout != "frame" and self._can_be_whole)
+        whole = self._whole.isEnabled() and self._whole.isChecked()
+        self._eased.setEnabled(layout != "frame" and (whole or not self._easing.even))
+        self._t.setEnabled(layout == "frame")
+        self._seconds.setEnabled(layout == "animation")
+        self._returning.setEnabled(layout == "animation")
+        for box in (self._marks, self._pieces, self._skeleton):
+            box.setEnabled(layout != "numbers")
+        self._formats.setText(", ".join(str(words.retold(each.name)) for each in FORMATS[layout]))

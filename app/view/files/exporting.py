@@ -1,0 +1,67 @@
+"""Export from the user's side: what and where is asked, and the file written."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication
+from PySide6.QtWidgets import QDialog, QWidget
+
+from app.export import FORMATS, Stretch, write_choice
+from app.session import Session
+from app.view.files.dialogs import complain, path_to_save
+from app.view.files.export_dialog import ExportDialog
+from app.view.painting.display import Display
+from app.view.timeline.player import Player
+from starskel.errors import StarskelError
+from starskel.files.project import letter
+
+translate = QCoreApplication.translate
+
+
+def export(window: QWidget, session: Session, player: Player, display: Display, file: Path) -> Path | None:
+    """Ask what to export and where, write it, and give where; None where nothing was written.
+
+    Parameters
+    ----------
+    window : QWidget
+        Over which it is asked.
+    session, player, display
+        What there is to export, and how it is shown.
+    file : Path
+        What it may be called, without the ending.
+    """
+    shown, whole = stretches(session)[session.document.step], whole_sequence(session)
+    dialog = ExportDialog([r.method for r in shown.results], player, display, window, whole=bool(whole))
+    if dialog.exec() != QDialog.DialogCode.Accepted:
+        return None
+    choice, title = dialog.choice, translate("Files", "Export")
+    endings = tuple(each.ending for each in FORMATS[choice.layout])
+    path = path_to_save(window, title, file.with_name(f"{file.name}{endings[0]}"), endings)
+    if path is None:
+        return None
+    try:
+        write_choice(path, session.document.name or file.name, choice, whole if choice.whole else (shown,))
+    except StarskelError as error:
+        complain(window, translate("Files", "{name} was not written").format(name=path.name), error)
+        return None
+    return path
+
+
+def stretches(session: Session) -> tuple[Stretch, ...]:
+    """Give what there is to export of each step."""
+    steps = session.document.sequence.steps
+    return tuple(
+        Stretch(
+            tuple(state.fresh for state in session.results_of(number).values() if state.fresh is not None),
+            step,
+            f"{letter(number)}-{letter(number + 1)}" if len(steps) > 1 else "",
+        )
+        for number, step in enumerate(steps)
+    )
+
+
+def whole_sequence(session: Session) -> tuple[Stretch, ...]:
+    """Give all steps, where there are several and all have the methods of the one shown; else none."""
+    steps = stretches(session)
+    methods = {result.method for result in steps[session.document.step].results}
+    done = all(methods == {result.method for result in each.results} for each in steps)
+    return steps if done and len(steps) > 1 else ()

@@ -1,0 +1,146 @@
+"""Files from the user's side: new, open, save, export, and no change lost on the way."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from importlib import import_module
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtWidgets import QDialog, QMainWindow
+
+from app.session import Session
+from app.view.files.dialogs import (
+    PROJECT_ENDING,
+    Answer,
+    PairDialog,
+    ask_about_changes,
+    complain,
+    path_to_open,
+    path_to_save,
+)
+from app.view.files.remembered import remember_file
+from app.view.painting.display import Display
+from app.view.timeline.player import Player
+from app.view.wording import words
+from starskel.errors import StarskelError
+from starskel.files import multi_pairs, pairs
+from starskel.files.documents import format_of
+from starskel.files.examples import example
+from starskel.files.multi_pairs import MultiPair, read_multi_pairs
+from starskel.files.pair_file import PairFile
+from starskel.files.pairs import ShapePair, read_pairs
+from starskel.files.project import Project
+
+PAIRS: dict[str, Callable[[Path], PairFile[ShapePair] | PairFile[MultiPair]]] = {
+    pairs.FORMAT: read_pairs,
+    multi_pairs.FORMAT: read_multi_pairs,
+}
+"""What reads a file of pairs, by its format."""
+
+
+class Files(QObject):
+    """The commands of the file menu."""
+
+    exported = Signal(object)
+
+    def __init__(self, window: QMainWindow, session: Session, player: Player, display: Display) -> None:
+        super().__init__(window)
+        self._window = window
+        self._session = session
+        self._player = player
+        self._display = display
+        self._folder = Path.cwd()  # where the last file was, so that the next one is looked for there
+
+    @property
+    def name(self) -> str:
+        """What the window's title calls the document."""
+        if self._session.path is not None:
+            return self._session.path.stem
+        return self._session.document.name or self.tr("Untitled")
+
+    def may_go(self) -> bool:
+        """Ask about unsaved changes, a drawing begun among them; False where the user would rather stay."""
+        finished = self._session.finish()
+        if finished and not self._session.unsaved:
+            return True
+        answer = ask_about_changes(self._window, self.name)
+        return self.save() if answer is Answer.SAVE else answer is Answer.DISCARD
+
+    @Slot()
+    def new(self) -> None:
+        """Start with empty canvases, at t = 0."""
+        if self.may_go():
+            self._player.stop_at(0.0)
+            self._session.new()
+
+    @Slot()
+    def choose(self) -> None:
+        """Ask for a file and open it."""
+        if self.may_go() and (path := path_to_open(self._window, self._folder)) is not None:
+            self.open(path)
+
+    def open(self, path: Path) -> None:
+        """Open a project, or a pair of a file of pairs; where that fails, what is open stays."""
+        self._folder = path.absolute().parent
+        try:
+            if (read := PAIRS.get(format_of(path))) is not None:
+                self._open_pair(read(path))
+            else:
+                self._session.open(path)
+            remember_file(path)
+        except StarskelError as error:
+            complain(self._window, self.tr("{name} cannot be opened").format(name=path.name), error)
+
+    @Slot(object)
+    def open_example(self, name: str) -> None:
+        if self.may_go():
+            project = example(name)
+            self._session.show_project(replace(project, name=words.example(project.name)))
+
+    @Slot(object)
+    def open_recent(self, path: Path) -> None:
+        if self.may_go():
+            self.open(path)
+
+    @Slot()
+    def save(self) -> bool:
+        """Save to the project's file; True where that was done."""
+        if self._session.path is None:
+            return self.save_as()
+        return self._save(self._session.path)
+
+    @Slot()
+    def save_as(self) -> bool:
+        """Ask for a file and save; True where that was done."""
+        suggested = self._folder / f"{self.name}{PROJECT_ENDING}"
+        path = path_to_save(self._window, self.tr("Save project"), suggested, [PROJECT_ENDING])
+        return path is not None and self._save(path)
+
+    @Slot()
+    def export(self) -> None:
+        """Ask what to export and where, and write it."""
+        exporting = import_module("app.view.files.exporting")  # not before, so that the window opens sooner
+        file = self._folder / self.name
+        path = exporting.export(self._window, self._session, self._player, self._display, file)
+        if path is not None:
+            self._folder = path.parent
+            self.exported.emit(path)
+
+    def _open_pair(self, file: PairFile[ShapePair] | PairFile[MultiPair]) -> None:
+        chosen: str | None = file.ids[0]
+        if len(file.ids) > 1:
+            dialog = PairDialog(file.ids, self._window)
+            accepted = dialog.exec() == QDialog.DialogCode.Accepted
+            chosen = dialog.chosen if accepted else None
+        if chosen is not None:
+            self._session.show_project(Project.of(file.pair(chosen)))
+
+    def _save(self, path: Path) -> bool:
+        try:
+            self._session.save(path)
+        except StarskelError as error:
+            complain(self._window, self.tr("{name} was not saved").format(name=path.name), error)
+            return False
+        self._folder = path.parent
+        remember_file(path)
+        return True

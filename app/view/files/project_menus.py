@@ -1,0 +1,125 @@
+"""Menus of projects, each with a small picture: the examples, and the files that were open."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, QRectF, QSize, Signal, Slot
+from PySide6.QtGui import QAction, QColor, QIcon, QPalette
+from PySide6.QtWidgets import QMenu, QProxyStyle, QStyle, QStyleOption, QWidget
+
+from app.view.files.remembered import forget_files, recent_files
+from app.view.painting.drawing import layer_of, painting
+from app.view.painting.theme import theme_of
+from app.view.painting.thumbnail import paint_thumbnail
+from app.view.wording import words
+from starskel.errors import StarskelError
+from starskel.files.documents import format_of
+from starskel.files.examples import example, example_names, figure_number
+from starskel.files.project import Project
+from starskel.files.project_file import FORMAT, read_project
+
+translate = QCoreApplication.translate
+
+PICTURE = QSize(40, 40)
+"""Size of a project's picture, in pixels."""
+
+
+class _LargeIcons(QProxyStyle):
+    """Fusion with icons in menus as large as a picture of a shape needs to be."""
+
+    def pixelMetric(
+        self,
+        metric: QStyle.PixelMetric,
+        option: QStyleOption | None = None,
+        widget: QWidget | None = None,
+    ) -> int:
+        if metric == QStyle.PixelMetric.PM_SmallIconSize:
+            return PICTURE.width()
+        return super().pixelMetric(metric, option, widget)
+
+
+class ProjectMenu(QMenu):
+    """A menu whose entries are projects; it is filled when it is about to be seen."""
+
+    chosen = Signal(object)
+    """What stands for the project: the name of an example, or a path."""
+
+    def __init__(self, title: str, parent: QWidget) -> None:
+        super().__init__(title, parent)
+        style = _LargeIcons("Fusion")
+        style.setParent(self)
+        self.setStyle(style)
+        self.setToolTipsVisible(True)
+        self.triggered.connect(self._choose)
+
+    def add(self, text: str, project: Project | None, tip: str, data: object) -> None:
+        """Add an entry."""
+        action = self.addAction(text.replace("&", "&&"))
+        if project is not None:
+            action.setIcon(project_icon(project, self.palette()))
+        action.setToolTip(tip)
+        action.setStatusTip(tip)
+        action.setData(data)
+
+    @Slot(QAction)
+    def _choose(self, action: QAction) -> None:
+        if action.data() is not None:
+            self.chosen.emit(action.data())
+
+
+class ExamplesMenu(ProjectMenu):
+    """The projects that come with the program."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(translate("Menus", "E&xamples"), parent)
+        for name in example_names():
+            if figure_number(name) == 1:
+                self.addSection(translate("Menus", "Figures of the paper"))
+            project = example(name)
+            self.add(words.example(project.name), project, words.example(project.description), name)
+
+
+class RecentMenu(ProjectMenu):
+    """The files that were open, the last one first."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(translate("Menus", "Open &Recent"), parent)
+        self.aboutToShow.connect(self.fill)
+        self.fill()
+
+    @Slot()
+    def fill(self) -> None:
+        """Show the files that are remembered now."""
+        self.clear()
+        paths = recent_files()
+        for path in paths:
+            self.add(path.stem, _project(path), str(path), path)
+        if paths:
+            self.addSeparator()
+        forget = self.addAction(translate("Menus", "&Clear List"), forget_files)
+        forget.setEnabled(bool(paths))
+
+
+def project_icon(project: Project, palette: QPalette) -> QIcon:
+    """Give a picture of the first shape that has been drawn, in a second colour for where it is chosen."""
+    shape = next((each for each in project.shapes if each.parts), None)
+    icon = QIcon()
+    theme = theme_of(palette)
+    for mode, colour in (
+        (QIcon.Mode.Normal, theme.side("source")),
+        (QIcon.Mode.Active, QColor(theme.on_accent)),
+    ):
+        picture = layer_of(PICTURE, 2.0)
+        if shape is not None:
+            with painting(picture) as painter:
+                box = QRectF(0, 0, PICTURE.width(), PICTURE.height())
+                paint_thumbnail(painter, box, shape, colour)
+        icon.addPixmap(picture, mode)
+    return icon
+
+
+def _project(path: Path) -> Project | None:
+    """Give what is in a file, for its picture; a damaged one has none, and complains when it is opened."""
+    try:
+        return read_project(path) if format_of(path) == FORMAT else None
+    except StarskelError:
+        return None

@@ -1,0 +1,1 @@
+"""Marks, parts and edits as lists."""

@@ -1,0 +1,181 @@
+"""The list of parts beside the canvases: shown or not, named, coloured, and what becomes of each."""
+
+from PySide6.QtCore import QAbstractItemModel, QEvent, QSignalBlocker, QSize, Qt, Slot
+from PySide6.QtGui import QAction, QKeyEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QCheckBox,
+    QComboBox,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QTableView,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.session import Session
+from app.view.commands.actions import Actions
+from app.view.lists.partnering import Partnering
+from app.view.lists.parts_model import ICON, NAME, Index, PartsModel
+
+BUTTONS = ("part-add", "part-remove", "part-forward", "part-backward", "part-colour", "suggest-pairing")
+"""The commands that stand above the list."""
+
+
+class PartDelegate(QStyledItemDelegate):
+    """Edits a name as text, and a partner as a choice."""
+
+    def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
+        model = index.model()
+        if index.column() == NAME or not isinstance(model, PartsModel):
+            editor = QLineEdit(parent)
+            editor.setFrame(False)
+            return editor
+        box = QComboBox(parent)
+        for text, part in model.choices(index):
+            box.addItem(text, part)
+        box.activated.connect(self._close)
+        return box
+
+    def setEditorData(self, editor: QWidget, index: Index) -> None:
+        model = index.model()
+        if isinstance(editor, QComboBox) and isinstance(model, PartsModel):
+            editor.setCurrentIndex(editor.findData(model.part(index)))
+        else:
+            super().setEditorData(editor, index)
+
+    def setModelData(self, editor: QWidget, model: QAbstractItemModel, index: Index) -> None:
+        if isinstance(editor, QComboBox):
+            model.setData(index, editor.currentData(), Qt.ItemDataRole.EditRole)
+        else:
+            super().setModelData(editor, model, index)
+
+    @Slot()
+    def _close(self) -> None:
+        editor = self.sender()
+        if isinstance(editor, QComboBox):
+            self.commitData.emit(editor)
+            self.closeEditor.emit(editor)
+
+
+class PartsTable(QTableView):
+    """The row it is on is the part worked on; Enter edits, Space shows or hides, a drag pairs or reorders."""
+
+    def __init__(self, session: Session, partnering: Partnering, actions: Actions) -> None:
+        super().__init__()
+        self._session = session
+        self._actions = actions
+        self._parts = PartsModel(session, partnering, self)
+        self.setModel(self._parts)
+        self.setItemDelegate(PartDelegate(self))
+        self.setObjectName("parts-table")
+        self.setAccessibleName(self.tr("Parts"))
+        self.setIconSize(ICON)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.DoubleClicked)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setDragDropMode(QAbstractItemView.DragDropMode.DragDrop)
+        self.setDefaultDropAction(Qt.DropAction.MoveAction)
+        self.setDragDropOverwriteMode(True)
+        self.setTabKeyNavigation(False)
+        header = self.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        header.setHighlightSections(False)
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(28)
+        session.document_changed.connect(self.follow)
+        self.follow()
+
+    def event(self, event: QEvent) -> bool:
+        own = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace, Qt.Key.Key_Home, Qt.Key.Key_End)
+        asked = event.type() == QEvent.Type.ShortcutOverride
+        if asked and isinstance(event, QKeyEvent) and event.key() in own:
+            event.accept()  # here they are about parts, in the rest of the window about vertices and time
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        editing = self.state() == QAbstractItemView.State.EditingState
+        if event.key() in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
+            self._actions["part-remove"].trigger()
+        elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and not editing:
+            index = self.currentIndex()
+            if self._parts.flags(index) & Qt.ItemFlag.ItemIsEditable:
+                self.edit(index)
+        else:
+            super().keyPressEvent(event)
+
+    def currentChanged(self, current: Index, previous: Index) -> None:
+        super().currentChanged(current, previous)
+        if current.isValid():
+            self._session.show_link(self._parts.link(current.row()))
+
+    @Slot()
+    def follow(self) -> None:
+        """Be on the row of the part that is worked on."""
+        link = self._session.document.link
+        with QSignalBlocker(self.selectionModel()):
+            column = max(self.currentIndex().column(), NAME)
+            self.setCurrentIndex(self._parts.index(self._parts.row(link), column))
+        self.viewport().update()
+
+
+class PartsPanel(QWidget):
+    """Buttons, the list, and how it is used."""
+
+    def __init__(self, session: Session, partnering: Partnering, actions: Actions) -> None:
+        super().__init__()
+        self.table = PartsTable(session, partnering, actions)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(6, 4, 6, 6)
+        layout.addLayout(self._buttons(actions))
+        layout.addWidget(self.table, 1)
+        layout.addWidget(self._switch(actions["joined"]))
+        layout.addWidget(self._help())
+
+    def _buttons(self, actions: Actions) -> QHBoxLayout:
+        row = QHBoxLayout()
+        row.setSpacing(2)
+        for name in BUTTONS:
+            row.addWidget(_button(actions[name]))
+        row.addStretch(1)
+        return row
+
+    def _switch(self, action: QAction) -> QCheckBox:
+        box = QCheckBox(action.text().replace("&", ""))
+        box.setObjectName("joined")
+        box.setToolTip(action.toolTip())
+        box.clicked.connect(action.trigger)
+        action.changed.connect(self._follow_switch)
+        self._joined, self._box = action, box
+        return box
+
+    @Slot()
+    def _follow_switch(self) -> None:
+        self._box.setChecked(self._joined.isChecked())
+        self._box.setEnabled(self._joined.isEnabled())
+
+    def _help(self) -> QLabel:
+        text = self.tr(
+            "Drag a source or a target onto another row to pair it there; Enter lets you choose a partner."
+        )
+        label = QLabel(text)
+        label.setWordWrap(True)
+        label.setForegroundRole(self.palette().ColorRole.PlaceholderText)
+        return label
+
+
+def _button(action: QAction) -> QToolButton:
+    button = QToolButton()
+    button.setDefaultAction(action)
+    button.setIconSize(QSize(20, 20))
+    button.setAutoRaise(True)
+    button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
+    button.setAccessibleName(action.text().replace("&", "").replace("…", ""))
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+    return button

@@ -1,0 +1,102 @@
+"""The pictures in the shape of one panel: asked for, taken in, and painted."""
+
+import numpy as np
+from PySide6.QtCore import QObject, QRectF, QSize, Signal, Slot
+from PySide6.QtGui import QImage, QPainter
+
+from app.compute.morphs import Carried, Shown, Wish, finer
+from app.compute.request import Result
+from app.session import Session
+from app.view.painting.camera import Camera
+from app.view.painting.parts import looks_of
+from app.view.timeline.player import Player
+from starskel.blending.pieces import PieceBlend
+from starskel.decomposition.pieces import Decomposition
+
+
+class CarriedPictures(QObject):
+    """Keeps what a panel shows of pictures in step with its blend, its view and the clock.
+
+    While time runs frames come as fast as they can be painted, each with its own t; what stands still is
+    painted once more, with care.
+    """
+
+    changed = Signal()
+
+    def __init__(self, session: Session, player: Player, parent: QObject) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._player = player
+        self._carried: Carried | None = None
+        self._shown: Shown | None = None
+        self._image: QImage | None = None
+        session.morphs.shown.connect(self._take)
+        player.playing_changed.connect(self._settle)
+
+    def ask(self, result: Result | None, camera: Camera, size: QSize, ratio: float) -> None:
+        """Want the pictures of a blend as a camera sees them now; nothing where there are none."""
+        carried = self._carry(result)
+        if carried is None or result is None or size.isEmpty():
+            self._carried = self._shown = self._image = None
+            return
+        if self._carried is not None and self._carried.blend.pair is not carried.blend.pair:
+            self._shown = self._image = None  # what is left of an improved blend may stay for a moment
+        self._carried = carried
+        left, top = camera.to_document(0, 0)
+        right, bottom = camera.to_document(camera.width, camera.height)
+        pixels = round(size.width() * ratio), round(size.height() * ratio)
+        looks = enumerate(looks_of(self._session.document))
+        hidden = tuple(number for number, look in looks if not look.visible)
+        wish = Wish(result.method, carried, self._player.t, pixels, (left, bottom, right, top), hidden)
+        self._session.morphs.wish(wish)
+
+    @property
+    def t(self) -> float | None:
+        """The moment of the pictures that there are to show, None where there are none."""
+        return None if self._image is None or self._shown is None else self._shown.wish.t
+
+    def paint(self, painter: QPainter, camera: Camera) -> None:
+        """Paint them where a camera sees them, which may have moved since."""
+        if self._image is None or self._shown is None:
+            return
+        left, bottom, right, top = self._shown.wish.view
+        (x, y), scale = camera.to_screen(np.array([left, top])).tolist(), camera.scale
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.drawImage(QRectF(x, y, (right - left) * scale, (top - bottom) * scale), self._image)
+
+    def _carry(self, result: Result | None) -> Carried | None:
+        document = self._session.document
+        source, target = document.picture("source"), document.picture("target")
+        if result is None or (source is None and target is None):
+            return None
+        known = self._carried
+        carried = Carried(result.blend, source, target, self._decomposition(result))
+        return known if known is not None and known.same(carried) else carried
+
+    def _decomposition(self, result: Result) -> Decomposition | None:
+        """Give the star pieces that another method has found for the same pair."""
+        for other in self._session.fresh_results:
+            if other.blend.pair is result.blend.pair and isinstance(other.blend, PieceBlend):
+                return other.blend.decomposition
+        return None
+
+    @Slot(object)
+    def _take(self, shown: Shown) -> None:
+        if self._carried is None or not shown.wish.carried.same(self._carried):
+            return
+        self._shown = shown
+        self._image = None
+        if shown.pixels is not None:
+            height, width = shown.pixels.shape[:2]
+            kind = QImage.Format.Format_RGBA8888_Premultiplied
+            self._image = QImage(shown.pixels.data, width, height, 4 * width, kind)
+        self.changed.emit()
+        self._settle()
+
+    @Slot()
+    def _settle(self) -> None:
+        """Have what stands still painted with care."""
+        shown = self._shown
+        still = not self._player.playing and shown is not None and not shown.wish.careful
+        if still and shown is not None and shown.wish.t == self._player.t:
+            self._session.morphs.wish(finer(shown.wish))

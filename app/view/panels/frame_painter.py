@@ -1,0 +1,113 @@
+"""One frame of a blend as a panel shows it."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QColor, QPainter
+
+from app.compute import STEERED, Result
+from app.view.painting.camera import Camera
+from app.view.painting.display import Layers
+from app.view.painting.drawing import faded, pen, point_of, polygon_of
+from app.view.painting.frame_layers import paint_numbers, paint_way
+from app.view.painting.parts import Look, paint_region, regions
+from app.view.painting.pins import cross_at
+from app.view.painting.structure import paint_pieces, paint_skeleton, paint_tree
+from app.view.painting.theme import Theme
+from app.view.wording import verdicts
+from starskel import Correspondence
+from starskel.blending.pieces import PieceBlend
+from starskel.predicates import Floats
+from starskel.shapes.shape_blend import ShapeBlend
+from starskel.sheet.keyframe import Keyframe
+from starskel.sheet.shape_keyframe import tree_at
+
+STALE = 0.55
+"""Opacity of a frame whose shapes have changed since."""
+
+
+class FramePainter:
+    """Paints the frame of a blend at one t."""
+
+    def __init__(self, painter: QPainter, theme: Theme, camera: Camera, layers: Layers) -> None:
+        self._painter = painter
+        self._theme = theme
+        self._camera = camera
+        self._layers = layers
+
+    def paint(
+        self, result: Result, t: float, looks: Sequence[Look], *, stale: bool, pictured: bool = False
+    ) -> None:
+        """Paint fill or star pieces, outline, skeleton, and the places where the frame crosses itself.
+
+        Where there are pictures inside, neither fill nor outline is painted over them.
+        """
+        blend, crossing = result.blend, verdicts.crossing_rings(result.report, t)
+        self._painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        self._painter.setOpacity(STALE if stale else 1.0)
+        points = blend.points_at(t) if isinstance(blend, PieceBlend) else None
+        rings = result.rings_at(t) if points is None else [points[: len(result.pairs[0])]]
+        looks = [*looks, *[Look()] * (len(rings) - len(looks))]  # a blend out of date may have more parts
+        shown = [look.visible for look in looks[: len(rings)]]
+        if isinstance(blend, PieceBlend) and points is not None and self._layers.pieces:
+            paint_pieces(self._painter, self._theme, blend.decomposition, self._camera.to_screen(points))
+        elif not pictured:
+            self._fill(result, rings, t, looks, shown)
+        for number, ring in enumerate(rings):
+            if shown[number] and (number in crossing or not pictured):
+                usual = looks[number].colour(self._theme, t)
+                self._outline(ring, QColor(self._theme.refused) if number in crossing else usual)
+        if self._layers.skeleton:
+            self._paint_skeleton(result, t)
+        for number, ring in enumerate(rings):
+            if self._layers.numbers and shown[number]:
+                self._paint_numbers(result.pairs[number], ring)
+            if number in crossing:
+                self._paint_crossings(Keyframe(t, ring))
+        self._painter.setOpacity(1.0)
+
+    def paint_trace(self, result: Result, t: float, link: int, row: int) -> None:
+        """Paint one vertex of a link and its way through time."""
+        paint_way(self._painter, self._theme, self._camera.to_screen(result.samples[link][:, row]))
+        self._painter.setPen(pen(self._theme.base, 1.5))
+        self._painter.setBrush(QColor(self._theme.accent))
+        place = self._camera.to_screen(result.rings_at(t)[link][row])
+        self._painter.drawEllipse(point_of(place), 5.5, 5.5)
+
+    def _paint_skeleton(self, result: Result, t: float) -> None:
+        blend = result.blend
+        if isinstance(blend, PieceBlend):
+            places = self._camera.to_screen(blend.skeleton_at(t))
+            paint_skeleton(self._painter, self._theme, blend.skeleton, places, root=result.method == STEERED)
+        elif isinstance(blend, ShapeBlend):
+            places = self._camera.to_screen(tree_at(blend, t).reshape(-1, 2)).reshape(-1, 2, 2)
+            paint_tree(self._painter, self._theme, places)
+
+    def _paint_numbers(self, pair: Correspondence, frame: Floats) -> None:
+        """Give the vertices the numbers of the source's; those that were inserted there have none."""
+        numbers = [str(number) if number >= 0 else "" for number in pair.source_vertices.tolist()]
+        paint_numbers(self._painter, self._theme, self._camera.to_screen(frame), numbers)
+
+    def _fill(
+        self, result: Result, rings: list[Floats], t: float, looks: Sequence[Look], shown: Sequence[bool]
+    ) -> None:
+        self._painter.setPen(Qt.PenStyle.NoPen)
+        for outline, holes in regions(result.outer, shown):
+            self._painter.setBrush(faded(looks[outline].colour(self._theme, t), 0.35))
+            around, *inside = (self._camera.to_screen(rings[k]) for k in (outline, *holes))
+            paint_region(self._painter, around, inside)
+
+    def _outline(self, ring: Floats, colour: QColor) -> None:
+        self._painter.setBrush(Qt.BrushStyle.NoBrush)
+        # one pixel wide; wider, a smooth line takes ten times as long, each frame
+        self._painter.setPen(pen(colour, 0.0))
+        self._painter.drawPolygon(polygon_of(self._camera.to_screen(ring)))
+
+    def _paint_crossings(self, frame: Keyframe) -> None:
+        """Mark where the frame crosses itself, once for places that would fall on each other."""
+        marked: list[QPointF] = []
+        for row in self._camera.to_screen(frame.crossings):
+            place = point_of(row)
+            if all((place - other).manhattanLength() > 14 for other in marked):
+                marked.append(place)
+                cross_at(self._painter, place, QColor(self._theme.refused), 4.5)

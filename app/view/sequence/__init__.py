@@ -1,0 +1,1 @@
+"""The key shapes above the canvases."""

@@ -1,0 +1,1 @@
+"""The clock: playing, the slider, the chart over t, and the easing."""
