@@ -1,6 +1,7 @@
 """Words on a canvas: its caption, how to begin, and why something was refused."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 import shapely
@@ -26,7 +27,7 @@ NOTICE_FLAGS = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignLeft | Qt.Alignm
 NOTICE = 340.0
 """Width of a notice, in pixels."""
 
-VEIL = 3000.0
+VEIL = 10000.0
 """So many pixels farther away is as bad as lying over the shape with all of the notice."""
 
 CLEARANCE = 24.0
@@ -77,12 +78,29 @@ def paint_invitation(painter: QPainter, theme: Theme, frame: QRectF, heading: st
     painter.drawText(below, flags, how)
 
 
-def paint_notice(  # noqa: PLR0913, PLR0917 -- what it says, and what it must not hide
-    painter: QPainter, theme: Theme, frame: QRectF, text: str, concerned: list[QPointF], ring: Floats
-) -> None:
+@dataclass(frozen=True, eq=False)
+class Shown:
+    """What a notice must not hide.
+
+    Attributes
+    ----------
+    concerned : sequence of QPointF
+        What it is about; the nearer to it the better.
+    labels : sequence of QRectF
+        Labels of pins.
+    ring : (n, 2) array
+        The shape on the screen, of which little may be hidden.
+    """
+
+    concerned: Sequence[QPointF] = ()
+    labels: Sequence[QRectF] = ()
+    ring: Floats = field(default_factory=lambda: np.empty((0, 2)))
+
+
+def paint_notice(painter: QPainter, theme: Theme, frame: QRectF, text: str, shown: Shown) -> None:
     """Write why something was refused, beside what it is about."""
     size = _notice_size(painter, frame, text)
-    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET), concerned, ring)
+    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET), shown)
     _paint_plate(painter, theme, box, theme.refused)
     cross_at(painter, QPointF(box.left() + 16, box.center().y()), QColor(theme.refused), 4.5)
     painter.setPen(QColor(theme.text))
@@ -92,7 +110,7 @@ def paint_notice(  # noqa: PLR0913, PLR0917 -- what it says, and what it must no
 def paint_news(painter: QPainter, theme: Theme, frame: QRectF, text: str, clear: list[QPointF]) -> None:
     """Write what an edit brought with it, near to places that stay clear where there is room."""
     size = _notice_size(painter, frame, text)
-    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET), clear)
+    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET), Shown(clear))
     _paint_plate(painter, theme, box, theme.accent)
     painter.setPen(QColor(theme.text))
     painter.drawText(box.adjusted(32, 0, -10, 0), NOTICE_FLAGS, text)
@@ -114,13 +132,7 @@ def _paint_plate(painter: QPainter, theme: Theme, box: QRectF, edge: str) -> Non
     painter.drawRoundedRect(box, 5, 5)
 
 
-def notice_box(
-    width: float,
-    height: float,
-    room: QRectF,
-    concerned: Sequence[QPointF] = (),
-    ring: Floats | None = None,
-) -> QRectF:
+def notice_box(width: float, height: float, room: QRectF, shown: Shown) -> QRectF:
     """Give the box in the room that is near to what it is about, hides none of it and little of the shape.
 
     Where there is no such box, or nothing to be near to, it lies on the lower edge.
@@ -128,20 +140,21 @@ def notice_box(
     lefts = np.linspace(room.left(), max(room.right() - width, room.left()), 12)
     tops = np.linspace(room.top(), max(room.bottom() - height, room.top()), 12)
     boxes = [QRectF(x, y, width, height) for x in lefts.tolist() for y in tops.tolist()]
-    free = [box for box in boxes if not any(_near(box).contains(place) for place in concerned)]
-    if not free or not concerned:
+    beside = [box for box in boxes if not any(_near(box).contains(place) for place in shown.concerned)]
+    free = [box for box in beside if not any(box.intersects(label) for label in shown.labels)] or beside
+    if not free or not shown.concerned:
         return QRectF(room.left(), room.bottom() - height, width, height)
-    ways = [_distance(box, concerned) for box in free]
-    return free[int(np.argmin(ways + VEIL * _covered(free, ring)))]
+    ways = [_distance(box, shown.concerned) for box in free]
+    return free[int(np.argmin(ways + VEIL * _covered(free, shown.ring)))]
 
 
 def _distance(box: QRectF, places: Sequence[QPointF]) -> float:
     return sum((box.center() - place).manhattanLength() for place in places)
 
 
-def _covered(boxes: Sequence[QRectF], ring: Floats | None) -> Floats:
+def _covered(boxes: Sequence[QRectF], ring: Floats) -> Floats:
     """Give for boxes of one size the part of each that lies over the shape."""
-    if ring is None or len(ring) < 3:
+    if len(ring) < 3:
         return np.zeros(len(boxes))
     shape = shapely.make_valid(shapely.polygons(ring))  # a gesture under way may cross itself
     plates = shapely.box(*np.array([(b.left(), b.top(), b.right(), b.bottom()) for b in boxes]).T)

@@ -14,6 +14,7 @@ from app.tools.picture import box_of_picture
 from app.tools.tool import Overlay, as_point
 from app.view.canvas.gesture import GesturePainter, square
 from app.view.canvas.notes import (
+    Shown,
     how_to_draw,
     paint_caption,
     paint_invitation,
@@ -85,13 +86,13 @@ class CanvasPainter:
         self._paint_structure()
         self._paint_vertices()
         self._paint_numbers()
-        self._paint_pins()
+        labels = self._paint_pins()
         self._paint_growth()
         self._paint_trace()
         self._paint_selection()
         GesturePainter(self._painter, self._theme, self._camera, self._colour).paint(self._overlay)
         self._paint_words()
-        self._paint_refusal()
+        self._paint_refusal(labels)
         if self._session.lost and self._side == self._session.selection.side:
             text = COUNTS.lost_marks(self._session.lost)
             shape = [point_of(place) for place in self._screen[:: len(self._screen) // MANY + 1]]
@@ -215,12 +216,12 @@ class CanvasPainter:
             self._painter.drawLine(place - QPointF(4, 0), place + QPointF(4, 0))
             self._painter.drawLine(place - QPointF(0, 4), place + QPointF(0, 4))
 
-    def _paint_pins(self) -> None:
+    def _paint_pins(self) -> list[QRectF]:
         ends = {index: end(mark, self._side) for index, mark in enumerate(self._session.document.marks)}
         if self._overlay.pin is not None:
             vertex, index = self._overlay.pin
             ends[index] = vertex
-        paint_pins(self._painter, [self._pin(vertex, index) for index, vertex in ends.items()])
+        return paint_pins(self._painter, [self._pin(vertex, index) for index, vertex in ends.items()])
 
     def _pin(self, vertex: int, index: int) -> Pin:
         colour = self._theme.pins[index % len(self._theme.pins)]
@@ -266,7 +267,7 @@ class CanvasPainter:
 
     # what was refused
 
-    def _paint_refusal(self) -> None:
+    def _paint_refusal(self, labels: list[QRectF]) -> None:
         refusal = self._session.refusal
         if refusal is None:
             return
@@ -286,7 +287,8 @@ class CanvasPainter:
             cross_at(self._painter, places[-1], red)
         places += [point_of(self._screen[vertex]) for vertex in vertices]
         reason = words.reason(refusal.error, self._session.document)
-        paint_notice(self._painter, self._theme, self._frame(), reason, places, self._screen)
+        shown = Shown(places, labels, self._screen)
+        paint_notice(self._painter, self._theme, self._frame(), reason, shown)
 
     def _on_screen(self, point: Point) -> QPointF:
         return point_of(self._camera.to_screen(np.array(point)))

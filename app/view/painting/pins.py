@@ -54,8 +54,8 @@ def outward(ring: Floats, vertex: int) -> Floats:
     return _unit(np.array([along[1], -along[0]]))
 
 
-def paint_pins(painter: QPainter, pins: Sequence[Pin]) -> None:
-    """Paint pins, their labels clear of each other as far as there is room."""
+def paint_pins(painter: QPainter, pins: Sequence[Pin]) -> list[QRectF]:
+    """Paint pins, their labels clear of each other as far as there is room; give where the labels are."""
     font = QFont(painter.font())
     font.setBold(True)
     font.setPointSizeF(9.0)
@@ -75,6 +75,7 @@ def paint_pins(painter: QPainter, pins: Sequence[Pin]) -> None:
         painter.setBrush(QColor(pin.colour))
         painter.drawRoundedRect(box, HEIGHT / 2, HEIGHT / 2)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, pin.text)
+    return boxes
 
 
 def cross_at(painter: QPainter, place: QPointF, colour: QColor, size: float = 6.0) -> None:

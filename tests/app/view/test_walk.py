@@ -1,12 +1,18 @@
 """A walk through the whole table: each command is in a menu, in the finder and in the list of shortcuts."""
 
-from PySide6.QtGui import QAccessible, QAction
-from PySide6.QtWidgets import QMenu, QTreeWidget, QWidget
+from functools import partial
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAccessible, QAction, QKeySequence
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu, QTreeWidget, QWidget
 
 from app.view.commands.finder import Finder, plain
 from app.view.commands.shortcuts import ShortcutsDialog
 from app.view.commands.table import COMMANDS
 from app.view.main_window import MainWindow
+
+LEFT = Qt.MouseButton.LeftButton
 
 
 def names_told(root: QWidget) -> set[str]:
@@ -36,3 +42,46 @@ def shown_by(kind: type[Finder] | type[ShortcutsDialog], actions: list[QAction])
     dialog.close()
     dialog.deleteLater()
     return names
+
+
+def test_every_command_is_given_by_clicking_its_entry(window: MainWindow) -> None:
+    """By real events: the menu bar is clicked, menus inside are opened, the entry is clicked."""
+    bar, table = window.menuBar(), {window.actions_table[row.name] for row in COMMANDS}
+    entries = [(top, path) for top in bar.actions() for path in paths_in(top.menu()) if path[-1] in table]
+    assert len(entries) == len(COMMANDS)
+    for top, path in entries:
+        given: list[QAction] = []
+        action = path[-1]
+        action.setEnabled(True)
+        action.triggered.disconnect()  # the click is what is tried here, not what comes of it
+        action.triggered.connect(partial(given.append, action))
+        QTest.mouseClick(bar, LEFT, pos=bar.actionGeometry(top).center())
+        for step in path:
+            menu = QApplication.activePopupWidget()
+            assert isinstance(menu, QMenu), action.text()
+            QTest.mouseClick(menu, LEFT, pos=menu.actionGeometry(step).center())
+        assert given == [action], action.text()
+        assert QApplication.activePopupWidget() is None
+
+
+def paths_in(menu: QMenu) -> list[list[QAction]]:
+    """Give for each entry of a menu, and of those inside it, what is clicked to reach it."""
+    steps = [action for action in menu.actions() if not action.isSeparator() and action.isVisible()]
+    return [
+        [step, *inner]
+        for step in steps
+        for inner in (paths_in(step.menu()) if step.menu() is not None else [[]])
+    ]
+
+
+def test_every_command_is_given_by_its_keys(window: MainWindow) -> None:
+    window.canvases["source"].setFocus()
+    for command in COMMANDS:
+        given: list[QAction] = []
+        action = window.actions_table[command.name]
+        action.setEnabled(True)
+        action.triggered.disconnect()
+        action.triggered.connect(partial(given.append, action))
+        for keys in command.keys:
+            QTest.keySequence(window.canvases["source"], QKeySequence(keys))
+        assert given == [action] * len(command.keys), command.name
