@@ -99,40 +99,6 @@ class Document:
         """Replace the whole sequence, with this step of it on the canvases."""
         return replace(self, sequence=sequence, step=step, link=0)
 
-    def add_shape(self, after: int) -> "Document":
-        """Put an empty shape behind another, and show the step to it."""
-        return self.arranged(self.sequence.added(after), after)
-
-    def duplicate_shape(self, shape: int) -> "Document":
-        """Put a copy behind a shape, and show the step to it; both correspond where the shape is marked."""
-        return self.arranged(self.sequence.duplicated(shape), shape)
-
-    def delete_shape(self, shape: int) -> "Document":
-        """Take a shape out of the sequence.
-
-        Raises
-        ------
-        StarskelError
-            If there are but two.
-        """
-        rest = self.sequence.without(shape)
-        return self.arranged(rest, min(max(shape - 1, 0), len(rest.steps) - 1))
-
-    def move_shape(self, shape: int, to: int) -> "Document":
-        """Move a shape to another number in the sequence, and show a step of it."""
-        step = to if self.shape_on("source") == shape else to - 1
-        return self.arranged(self.sequence.moved(shape, to), min(max(step, 0), len(self.sequence.steps) - 1))
-
-    def set_duration(self, step: int, duration: float) -> "Document":
-        """Let a step take so long.
-
-        Raises
-        ------
-        StarskelError
-            If that is too short to be seen.
-        """
-        return self.arranged(self.sequence.timed(step, duration), self.step)
-
     # what is on the canvases
 
     @property
@@ -163,11 +129,6 @@ class Document:
     def steer(self, **changes: Any) -> "Document":
         """Change how the shapes become each other: the easing, the root or the turns, as `Step` has them."""
         return replace(self, sequence=self.sequence.put_step(self.step, replace(self.way, **changes)))
-
-    def ease_alike(self) -> "Document":
-        """Let t run over every step as over the one on the canvases."""
-        steps = tuple(replace(step, easing=self.way.easing) for step in self.sequence.steps)
-        return replace(self, sequence=replace(self.sequence, steps=steps))
 
     def shape(self, side: Side) -> KeyShape:
         """Give all parts on this side."""

@@ -5,6 +5,7 @@ from functools import partial
 
 from PySide6.QtCore import QObject, Slot
 
+from app.model import arranging
 from app.model.marks import Side
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.playback import Pace
@@ -76,19 +77,19 @@ class Sequencing(QObject):
     def add(self, after: int) -> None:
         """Put an empty shape behind another, and take the drawing tool in hand."""
         self._session.choose_tool("draw")
-        added = partial(self._session.document.add_shape, after)
+        added = partial(arranging.add_shape, self._session.document, after)
         self._session.arrange(added, QT_TRANSLATE_NOOP("Step", "Add key shape"), "target")
 
     def move(self, shape: int, to: int) -> None:
         """Move a shape to another number; it stays the one worked on."""
-        moved = self._session.document.move_shape(shape, to)
+        moved = arranging.move_shape(self._session.document, shape, to)
         side: Side = "source" if moved.shape_on("source") == to else "target"
         self._session.arrange(lambda: moved, QT_TRANSLATE_NOOP("Step", "Move key shape"), side)
 
     def set_duration(self, duration: float) -> None:
         """Let the step on the canvases take so long."""
         document = self._session.document
-        timed = document.set_duration(document.step, duration)
+        timed = arranging.set_duration(document, document.step, duration)
         name = QT_TRANSLATE_NOOP("Step", "Set duration")
         self._session.store(timed, name, ("duration", document.step))
 
@@ -98,12 +99,12 @@ class Sequencing(QObject):
 
     @Slot()
     def _duplicate(self) -> None:
-        copied = partial(self._session.document.duplicate_shape, self._shape)
+        copied = partial(arranging.duplicate_shape, self._session.document, self._shape)
         self._session.arrange(copied, QT_TRANSLATE_NOOP("Step", "Duplicate key shape"), "target")
 
     @Slot()
     def _delete(self) -> None:
-        rest = partial(self._session.document.delete_shape, self._shape)
+        rest = partial(arranging.delete_shape, self._session.document, self._shape)
         self._session.arrange(rest, QT_TRANSLATE_NOOP("Step", "Delete key shape"), "source")
 
     @Slot()

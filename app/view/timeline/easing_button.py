@@ -6,6 +6,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QRectF, QSignalBloc
 from PySide6.QtGui import QIcon, QPainter
 from PySide6.QtWidgets import QComboBox, QFrame, QPushButton, QToolButton, QVBoxLayout, QWidget
 
+from app.model import arranging
 from app.model.document import Document
 from app.model.easing import PRESETS
 from app.model.texts import QT_TRANSLATE_NOOP
@@ -59,7 +60,7 @@ class EasingPopup(QFrame):
 
     @Slot()
     def _spread(self) -> None:
-        self._store(self._session.document.ease_alike())
+        self._store(arranging.ease_alike(self._session.document))
 
     def _store(self, document: Document, joins: Hashable = None) -> None:
         self._session.store(document, QT_TRANSLATE_NOOP("Step", "Set easing"), joins)
@@ -73,7 +74,7 @@ class EasingPopup(QFrame):
         with QSignalBlocker(self.presets):
             self.presets.setCurrentIndex(eases.index(easing) if easing in eases else len(eases))
         self.alike.setVisible(len(document.sequence.steps) > 1)
-        self.alike.setEnabled(document.ease_alike() != document)
+        self.alike.setEnabled(arranging.ease_alike(document) != document)
         self.curve.update()
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.model import parts
+from app.model import arranging, parts
 from app.model.document import Document
 from app.model.history import History
 from app.model.marks import Marks
@@ -175,18 +175,18 @@ def test_a_part_that_comes_is_alone_in_the_step_beyond() -> None:
 
 
 def test_links_lead_by_way_of_a_shape_that_is_taken_out() -> None:
-    left = film().delete_shape(1)
+    left = arranging.delete_shape(film(), 1)
     assert ends(left) == [(0, 0), (1, None), (2, None)]
     assert marks(left)[0, 0] == MARKS
-    back = film().move_shape(2, 0).sequence
+    back = arranging.move_shape(film(), 2, 0).sequence
     assert [link.ends for link in back.steps[0].links] == [(0, 0), (None, 1), (None, 2)]
 
 
 def test_a_copy_has_every_part_marked_where_its_original_is() -> None:
-    copied = film().duplicate_shape(0)
+    copied = arranging.duplicate_shape(film(), 0)
     assert ends(copied) == [(0, 0), (1, 1), (2, 2)]
     assert marks(copied) == {(0, 0): MARKS, (1, 1): MARKS, (2, 2): ()}
-    empty = film().add_shape(0)
+    empty = arranging.add_shape(film(), 0)
     assert ends(empty) == [(0, None), (1, None), (2, None)]
 
 
