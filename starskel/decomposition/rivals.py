@@ -64,7 +64,10 @@ def _fanned(tiling: Tiling, grounds: Grounds, task: Task) -> Iterator[Tiling]:
     def by_few(tiling: Tiling, grounds: Grounds, task: Task) -> Tiling:
         if len(tiling.source.coordinates) >= most:
             raise _TooManyError
-        return cheapest(tiling, grounds, list(by_fans(tiling, grounds, 1, by_few, task)))
+        freed = cheapest(tiling, grounds, list(by_fans(tiling, grounds, 1, by_few, task)))
+        if len(freed.source.coordinates) > most:  # an overlay
+            raise _TooManyError
+        return freed
 
     with suppress(_TooManyError):
         yield from by_fans(tiling, grounds, tried, by_few, task)
