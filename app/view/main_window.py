@@ -1,7 +1,6 @@
 """The main window: canvases above, methods side by side, timeline and status below."""
 
 from collections.abc import Callable
-from dataclasses import fields
 
 from PySide6.QtCore import QEvent, QSize, Qt, Slot
 from PySide6.QtGui import QAction, QCloseEvent
@@ -12,7 +11,7 @@ from app.model.texts import QT_TRANSLATE_NOOP
 from app.session import Session
 from app.tools.tool import Key
 from app.view.beginning import Beginning
-from app.view.canvas.canvas import NOTCH, Canvas
+from app.view.canvas.canvas import Canvas
 from app.view.canvas.edits import Edits
 from app.view.canvas.mark_line import MarkLine
 from app.view.canvas.options import SWITCHES, OptionsBar
@@ -28,8 +27,7 @@ from app.view.files.remembered import remember_theme
 from app.view.lists.marks_table import MarksPanel
 from app.view.lists.partnering import Partnering
 from app.view.lists.parts_list import PartsPanel
-from app.view.painting.display import Display, Layers
-from app.view.painting.icons import icon
+from app.view.painting.display import Display
 from app.view.painting.theme import DARK, LIGHT, Theme, apply_theme, theme_of
 from app.view.panels.panels import Panels
 from app.view.sequence.sequence_bar import SequenceBar
@@ -37,11 +35,8 @@ from app.view.sequence.sequencing import Sequencing
 from app.view.status import Status
 from app.view.timeline.player import Player
 from app.view.timeline.timeline import Timeline
+from app.view.watching import LAYERS, Watching
 from app.view.wording import language, words
-from app.view.wording.verdicts import next_crossing
-
-LAYERS = tuple(field.name for field in fields(Layers))
-"""Switches of what is shown, which have the names of their commands."""
 
 
 class MainWindow(QMainWindow):
@@ -58,6 +53,7 @@ class MainWindow(QMainWindow):
         self.sequencing = Sequencing(self, session, self.player)
         self.partnering = Partnering(self, session)
         self.backgrounds = Backgrounds(self, session, self.canvases)
+        self.watching = Watching(self, session, self.player, self.display, self.canvases)
         self.convenience = Convenience(self, session)
         self.actions_table = Actions(self, self._handlers())
         self.sequence = SequenceBar(session, self.player, self.sequencing, self.actions_table)
@@ -100,16 +96,8 @@ class MainWindow(QMainWindow):
         session.document_changed.connect(self._follow)
         session.changed.connect(self._follow_selection)
         session.tool_changed.connect(self._follow_tool)
-        session.results_changed.connect(self._follow_results)
-        self.player.playing_changed.connect(self._follow_player)
-        for follow in (
-            self._follow,
-            self._follow_selection,
-            self._follow_tool,
-            self._follow_results,
-            self._dress,
-            self._check_layers,
-        ):
+        self.watching.begin(self.actions_table)
+        for follow in (self._follow, self._follow_selection, self._follow_tool, self._dress):
             follow()
 
     # layout
@@ -155,7 +143,7 @@ class MainWindow(QMainWindow):
     # commands
 
     def _handlers(self) -> dict[str, Callable[[], object]]:
-        session, player, files = self.session, self.player, self.files
+        session, files = self.session, self.files
         return {
             "new": files.new,
             "open": files.choose,
@@ -178,20 +166,10 @@ class MainWindow(QMainWindow):
             "suggest": self._suggest_marks,
             "marks": self._show_marks,
             "parts": self._show_parts,
-            "fit": self._fit,
-            "zoom-in": self._zoom_in,
-            "zoom-out": self._zoom_out,
-            **dict.fromkeys(LAYERS, self._switch_display),
+            **self.watching.handlers(),
             "light": self._choose_theme,
             "dark": self._choose_theme,
             **dict.fromkeys(LANGUAGES, self._choose_language),
-            "play": player.toggle,
-            "to-start": player.to_start,
-            "to-end": player.to_end,
-            "step-back": player.step_back,
-            "step-forward": player.step_forward,
-            "next-crossing": self._next_crossing,
-            "recompute": session.recompute,
             "begin": self._show_how_to_begin,
         }
 
@@ -238,38 +216,8 @@ class MainWindow(QMainWindow):
             self.parts.table.setFocus()
 
     @Slot()
-    def _fit(self) -> None:
-        for canvas in self.canvases.values():
-            canvas.fit()
-        self.display.fit()
-
-    @Slot()
-    def _zoom_in(self) -> None:
-        for canvas in self.canvases.values():
-            canvas.zoom(NOTCH)
-
-    @Slot()
-    def _zoom_out(self) -> None:
-        for canvas in self.canvases.values():
-            canvas.zoom(1 / NOTCH)
-
-    @Slot()
     def _show_how_to_begin(self) -> None:
         self.beginning.switch(shown=self.actions_table["begin"].isChecked())
-
-    @Slot()
-    def _next_crossing(self) -> None:
-        reports = [result.report for result in self.session.fresh_results]
-        if (t := next_crossing(reports, self.player.t)) is not None:
-            self.player.stop_at(t)
-
-    def _check_layers(self) -> None:
-        for name in LAYERS:
-            self.actions_table[name].setChecked(getattr(self.display.layers, name))
-
-    @Slot()
-    def _switch_display(self) -> None:
-        self.display.show(Layers(**{name: self.actions_table[name].isChecked() for name in LAYERS}))
 
     @Slot()
     def _choose_theme(self) -> None:
@@ -322,17 +270,6 @@ class MainWindow(QMainWindow):
         self.actions_table[self.session.tool.name].setChecked(True)
         self._follow()
 
-    @Slot()
-    def _follow_results(self) -> None:
-        self.actions_table["export"].setEnabled(bool(self.session.fresh_results))
-
-    @Slot()
-    def _follow_player(self) -> None:
-        playing = self.player.playing
-        action = self.actions_table["play"]
-        action.setText(self.tr("&Pause") if playing else self.tr("&Play"))
-        action.setIcon(icon("pause" if playing else "play", self.palette()))
-
     # theme and end
 
     def _apply(self, theme: Theme) -> None:
@@ -348,7 +285,7 @@ class MainWindow(QMainWindow):
     def _dress(self) -> None:
         self.actions_table.dress(self.palette())
         self.actions_table[theme_of(self.palette()).name].setChecked(True)
-        self._follow_player()
+        self.watching.dress()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self.files.may_go():

@@ -2105,14 +2105,6 @@
         <source>{command} {step}</source>
         <translation>{command}: {step}</translation>
     </message>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>&amp;Anhalten</translation>
-    </message>
-    <message>
-        <source>&amp;Play</source>
-        <translation>&amp;Abspielen</translation>
-    </message>
 </context>
 <context>
     <name>MarksModel</name>
@@ -3011,6 +3003,17 @@
     <message>
         <source>Vertices stay {d} units or more away from other edges.</source>
         <translation>Eckpunkte bleiben {d} Einheiten oder mehr von anderen Kanten entfernt.</translation>
+    </message>
+</context>
+<context>
+    <name>Watching</name>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Abspielen</translation>
     </message>
 </context>
 <context>
