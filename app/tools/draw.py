@@ -25,7 +25,7 @@ class DrawTool(Tool):
 
     name: ClassVar[str] = "draw"
     hint: ClassVar[str] = QT_TRANSLATE_NOOP(
-        "Hint", "Click to set the first vertex; the new shape takes the place of the one worked on."
+        "Hint", "Click to set the first vertex. A part that is worked on makes way for the new one."
     )
 
     def press(self, scene: Scene, pointer: Pointer) -> Response:

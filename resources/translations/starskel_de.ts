@@ -1954,8 +1954,8 @@
         <translation>Den letzten Schritt oben in den Optionen anpassen oder weiterarbeiten.</translation>
     </message>
     <message>
-        <source>Click to set the first vertex; the new shape takes the place of the one worked on.</source>
-        <translation>Klicken setzt die erste Ecke; die neue Form tritt an die Stelle der bearbeiteten.</translation>
+        <source>Click to set the first vertex. A part that is worked on makes way for the new one.</source>
+        <translation>Klicken setzt den ersten Eckpunkt. Ein Teil, der bearbeitet wird, macht dem neuen Platz.</translation>
     </message>
     <message>
         <source>Click adds a vertex; the first vertex or Enter closes. Backspace takes one back, Esc cancels.</source>
