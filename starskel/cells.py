@@ -1,4 +1,4 @@
-"""Convex cells of a triangulated ring: the fewer they are, the fewer steps views take through them.
+"""Convex cells of triangulated rings: the fewer they are, the fewer steps views take through them.
 
 Triangles are joined over diagonals as long as all corners stay convex (Hertel and Mehlhorn 1983, "Fast
 Triangulation of Simple Polygons"), which leaves at most four times as many cells as the fewest possible.
@@ -49,10 +49,11 @@ def cells_of(ground: Triangulation) -> Cells:
     ValueError
         If the triangles have corners inside the ring, for views might go round these without end.
     """
-    if len(ground.triangles) != len(ground.ring) - 2:
+    needed = len(ground.rings.rows) - 2 * len(ground.rings.counts)
+    if len(ground.triangles) != needed:
         raise ValueError(
-            f"{len(ground.triangles)} triangles cannot tile a ring of {len(ground.ring)} vertices without "
-            f"corners inside it: give the {len(ground.ring) - 2} triangles of the ring alone"
+            f"{len(ground.triangles)} triangles cannot tile rings of {len(ground.rings.rows)} vertices "
+            f"without corners inside them: give the {needed} triangles of the rings alone"
         )
     sides, sizes = _rounds(_following(ground))
     size = np.repeat(sizes, sizes)
@@ -85,8 +86,9 @@ def _following(ground: Triangulation) -> list[int]:
 
 def _convexity(ground: Triangulation) -> Callable[[int, int, int], bool]:
     """Give a test for the corners of cells, named by half-edges that begin there, before and behind it."""
-    points, ring = ground.points, ground.ring
-    convex = (points.orientation(np.roll(ring, 1), ring, np.roll(ring, -1)) >= 0).tolist()
+    points, ring = ground.points, ground.rings.rows
+    before, after = ring[ground.rings.preceding], ring[ground.rings.following]
+    convex = (points.orientation(before, ring, after) >= 0).tolist()
     corners = ground.triangles.ravel().tolist()
     at = ground.vertices.view(np.complex128)[:, 0].tolist()
     doubtful = doubtful_area(ground.vertices)

@@ -1,6 +1,7 @@
-"""Triangulating a ring: the ground that visibility expands over."""
+"""Triangulating rings: the ground that visibility expands over."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -8,41 +9,48 @@ import shapely
 
 from starskel.errors import InvalidPolygon, told
 from starskel.points import Points
-from starskel.predicates import Floats, Indices
+from starskel.predicates import Floats, Indices, Relation
+from starskel.rings import Rings
 
 Triangle = tuple[int, int, int]
 
 
 @dataclass(frozen=True, eq=False)
 class Triangulation:
-    """Triangles without area zero that tile a ring, every vertex of the ring among their corners.
+    """Triangles without area zero that tile rings, every vertex of the rings among their corners.
 
     Attributes
     ----------
     points : Points
-    ring : (n,) array of int
-        The rows of the ring's vertices among the points, counter-clockwise.
-    triangles : (n - 2, 3) array of int
-        Corners as indices of the ring, counter-clockwise. Half-edge 3 f + s runs from corner s of triangle f
-        to the next.
-    twins : (3 n - 6,) array of int
+    rings : Rings
+        Of h vertices over the points, each ring counter-clockwise.
+    triangles : (h - 2 k, 3) array of int
+        Corners as vertices of the rings, counter-clockwise. Half-edge 3 f + s runs from corner s of triangle
+        f to the next.
+    twins : (3 h - 6 k,) array of int
         For each half-edge the one on its other side, or -1 on the ring.
     """
 
     points: Points
-    ring: Indices
+    rings: Rings
     triangles: Indices
     twins: Indices
 
-    @property
+    @cached_property
     def vertices(self) -> Floats:
-        """The (n, 2) coordinates of the ring."""
-        vertices: Floats = self.points.coordinates[self.ring]
+        """The (h, 2) coordinates of the rings' vertices."""
+        vertices: Floats = self.points.coordinates[self.rings.rows]
         return vertices
+
+    @cached_property
+    def owner(self) -> Indices:
+        """The ring that each triangle belongs to."""
+        owner: Indices = self.rings.owner[self.triangles[:, 0]]
+        return owner
 
 
 Grounds = tuple[Triangulation, Triangulation]
-"""The same ring triangulated in the source and in the target."""
+"""The same rings triangulated in the source and in the target."""
 
 
 def triangulate(points: Points, ring: Indices) -> Triangulation:
@@ -53,44 +61,72 @@ def triangulate(points: Points, ring: Indices) -> Triangulation:
     InvalidPolygon
         If the ring touches itself.
     """
-    corners = np.flatnonzero(points.orientation(np.roll(ring, 1), ring, np.roll(ring, -1)))
-    triangles = _delaunay(points, ring[corners])
+    return triangulate_rings(points, Rings.of([ring]))
+
+
+def triangulate_rings(points: Points, rings: Rings) -> Triangulation:
+    """Triangulate many simple rings over the same points, each for itself.
+
+    Raises
+    ------
+    InvalidPolygon
+        If a ring touches itself.
+    """
+    corner = points.orientation(rings.rows[rings.preceding], rings.rows, rings.rows[rings.following]) != 0
+    counts = np.bincount(rings.owner[corner], minlength=len(rings.counts))
+    corners = Rings(rings.rows[corner], counts)
+    triangles = _delaunay(points, corners)
     if triangles is None:
-        triangles = _cut_ears(points, ring[corners])
-    triangles = np.array(_split_runs(corners[triangles].tolist(), _runs(corners, len(ring))))
-    return Triangulation(points, ring, triangles, _twins(triangles))
+        triangles = np.concatenate([_one_by_one(points, ring) + first for ring, first in corners.parts()])
+    found = _split_runs(np.flatnonzero(corner)[triangles].tolist(), _runs(corner, rings))
+    triangles = np.array(found, dtype=np.intp).reshape(-1, 3)
+    return Triangulation(points, rings, triangles, _twins(triangles))
 
 
-def _delaunay(points: Points, corners: Indices) -> Indices | None:
+def _one_by_one(points: Points, ring: Indices) -> Indices:
+    triangles = _delaunay(points, Rings.of([ring]))
+    return _cut_ears(points, ring) if triangles is None else triangles
+
+
+def _delaunay(points: Points, corners: Rings) -> Indices | None:
     """Let GEOS triangulate; believe it only if every triangle and every edge proves right."""
-    ring = points.coordinates[corners]
+    coordinates = points.coordinates[corners.rows]
+    polygons = shapely.polygons(shapely.linearrings(coordinates, indices=corners.owner))
     try:
-        parts = shapely.constrained_delaunay_triangles(shapely.Polygon(ring))
+        parts = shapely.constrained_delaunay_triangles(polygons)
     except shapely.GEOSException:  # lost its way among vertices that are all but collinear
         return None
-    found = shapely.get_coordinates(parts).reshape(-1, 4, 2)[:, :3]
-    triangles = _rows_of(found.reshape(-1, 2), ring).reshape(-1, 3)
-    if len(triangles) != len(corners) - 2 or triangles.min() < 0:
+    found, ring = shapely.get_coordinates(parts, return_index=True)
+    found, ring = found.reshape(-1, 4, 2)[:, :3], ring.reshape(-1, 4)[:, :3]
+    triangles = _vertices_at(found.reshape(-1, 2), ring.ravel(), coordinates, corners).reshape(-1, 3)
+    counts = np.bincount(ring[:, 0], minlength=len(corners.counts))
+    if (counts != corners.counts - 2).any() or triangles.min(initial=0) < 0:
         return None
-    turns = points.orientation(*corners[triangles].T)
+    turns = points.orientation(*corners.rows[triangles].T)
     triangles[turns < 0] = triangles[turns < 0][:, ::-1]
-    return triangles if (turns != 0).all() and _tiles(triangles, len(corners)) else None
+    return triangles if (turns != 0).all() and _tiles(triangles, corners) else None
 
 
-def _rows_of(places: Floats, ring: Floats) -> Indices:
-    """Give for each place the row of the ring that is there, or -1."""
-    at, vertices = (np.ascontiguousarray(a).view(np.complex128)[:, 0] for a in (places, ring))
-    order = np.argsort(vertices)
-    rows = order[np.searchsorted(vertices[order], at).clip(max=len(ring) - 1)]
-    return np.where(vertices[rows] == at, rows, -1)
+def _vertices_at(places: Floats, ring: Indices, coordinates: Floats, rings: Rings) -> Indices:
+    """Give for each place, seen in a ring, the vertex of the ring that is there, or -1."""
+    at, vertices = (np.ascontiguousarray(a).view(np.complex128)[:, 0] for a in (places, coordinates))
+    distinct, number = np.unique(vertices, return_inverse=True)
+    place = np.searchsorted(distinct, at).clip(max=len(distinct) - 1)
+    key, wanted = number * len(rings.counts) + rings.owner, place * len(rings.counts) + ring
+    order = np.argsort(key)
+    found = order[np.searchsorted(key[order], wanted).clip(max=len(key) - 1)]
+    return np.where((vertices[found] == at) & (rings.owner[found] == ring), found, -1)
 
 
-def _tiles(triangles: Indices, n: int) -> bool:
-    """Tell whether counter-clockwise triangles fit together along their edges and end at the ring."""
+def _tiles(triangles: Indices, rings: Rings) -> bool:
+    """Tell whether counter-clockwise triangles fit together along their edges and end at the rings."""
     starts, ends = _half_edges(triangles)
     outer = _twins(triangles) < 0
+    n = len(rings.rows)
     once = len(np.unique(starts * n + ends)) == len(starts)
-    return once and np.count_nonzero(outer) == n and bool((ends[outer] == (starts[outer] + 1) % n).all())
+    return (
+        once and np.count_nonzero(outer) == n and bool((ends[outer] == rings.following[starts[outer]]).all())
+    )
 
 
 def _cut_ears(points: Points, corners: Indices) -> Indices:
@@ -136,11 +172,17 @@ def _is_ear(points: Points, corners: Indices, ear: Triangle, left: Indices) -> b
     return bool(outside.all())
 
 
-def _runs(corners: Indices, n: int) -> dict[tuple[int, int], list[int]]:
+def _runs(corner: Relation, rings: Rings) -> dict[tuple[int, int], list[int]]:
     """Give for each edge between corners the straight vertices on it, in order, if there are any."""
-    ends = [*corners[1:].tolist(), int(corners[0]) + n]
-    between = zip(corners.tolist(), ends, strict=True)
-    return {(a, b % n): [v % n for v in range(a + 1, b)] for a, b in between if b - a > 1}
+    runs = {}
+    for start in np.flatnonzero(corner & ~corner[rings.following]).tolist():
+        run = []
+        vertex = int(rings.following[start])
+        while not corner[vertex]:
+            run.append(vertex)
+            vertex = int(rings.following[vertex])
+        runs[start, vertex] = run
+    return runs
 
 
 def _split_runs(waiting: list[Triangle], runs: dict[tuple[int, int], list[int]]) -> list[Triangle]:

@@ -42,7 +42,7 @@ class Visibility:
 
 
 def visibility(ground: Triangulation, task: Task = UNWATCHED) -> Visibility:
-    """Tell for all pairs of a ring's vertices whether they see each other.
+    """Tell for all pairs of vertices whether they see each other in their ring.
 
     Raises
     ------
@@ -51,15 +51,15 @@ def visibility(ground: Triangulation, task: Task = UNWATCHED) -> Visibility:
     ValueError
         If the triangles have corners inside the ring.
     """
-    n = len(ground.ring)
+    n = len(ground.rings.rows)
     cells = cells_of(ground)
-    scene = _Scene.of(ground, cells, ground.points, ground.ring)
+    scene = _Scene.of(ground, cells, ground.points, ground.rings.rows)
     walks = _Walks(cells.corner[cells.first], cells.first + 1, cells.size[cells.first] - 1)
     seen = Visibility(np.eye(n, dtype=bool), np.zeros((n, n), dtype=bool))
     _look(scene, walks, seen, task)
     ring = np.arange(n)
-    for step in (1, -1):  # edges of the ring are no diagonals
-        seen.diagonal[ring, (ring + step) % n] = False
+    for beside in (ground.rings.preceding, ground.rings.following):  # edges of the ring are no diagonals
+        seen.diagonal[ring, beside] = False
     return Visibility(seen.sees, seen.diagonal & seen.diagonal.T)
 
 
@@ -77,10 +77,10 @@ def visibility_from(
     ValueError
         If the triangles have corners inside the ring.
     """
-    n, k = len(ground.ring), len(places)
+    n, k = len(ground.rings.rows), len(places)
     rows = len(ground.points.coordinates) + np.arange(k)
     points = ground.points.with_free(places)
-    corners = ground.ring[ground.triangles[triangles]]
+    corners = ground.rings.rows[ground.triangles[triangles]]
     turns = points.orientation(rows[:, None], corners, np.roll(corners, -1, axis=1))
     viewer = np.flatnonzero((turns > 0).all(axis=1))
     cells = cells_of(ground)
@@ -155,7 +155,9 @@ class _Scene:
         places = points.coordinates.view(np.complex128)[:, 0]
         slack = 2 * ROUNDING * float(np.abs(ground.vertices).max())
         doubtful = doubtful_area(ground.vertices)
-        return cls(cells, points, ground.ring, rows, places[ground.ring], places[rows], slack, doubtful)
+        return cls(
+            cells, points, ground.rings.rows, rows, places[ground.rings.rows], places[rows], slack, doubtful
+        )
 
     def turns(
         self, viewer: Indices, first: Indices, second: Indices, doubled: Floats

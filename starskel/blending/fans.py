@@ -9,6 +9,7 @@ from starskel.decomposition.kernel import star_point, star_vertices
 from starskel.decomposition.pieces import Decomposition, edges_of
 from starskel.points import Points, points_of
 from starskel.predicates import Floats
+from starskel.rings import Rings
 from starskel.task import Task
 from starskel.triangulation import Triangle
 
@@ -76,7 +77,7 @@ def _hub(first: Points, second: Points, piece: NDArray[np.intp]) -> int | tuple[
     centres = star_point(first, piece), star_point(second, piece)
     if centres[0] is not None and centres[1] is not None:
         return centres[0], centres[1]
-    common = np.flatnonzero(star_vertices(first, piece) & star_vertices(second, piece))
+    common = np.flatnonzero(star_vertices((first, second), Rings.of([piece])))
     source, target = first.coordinates[piece], second.coordinates[piece]
     mean = source[common].mean(axis=0), target[common].mean(axis=0)
     worst = [_worst(source, target, source[k], target[k], int(k)) for k in common]

@@ -46,9 +46,9 @@ def convex_cuts(ground: Triangulation, seen: Visibility, price: Price, task: Tas
         Which diagonals to prefer, the cheaper ones; n prices together stay below 1/2.
     task : Task
     """
-    if len(ground.ring) > FEWEST:
+    if len(ground.rings.rows) > FEWEST:
         return _needed_diagonals(ground, price, task)
-    return _Pieces(ground.points, ground.ring, seen, price).cuts(task)
+    return _Pieces(ground.points, ground.rings.rows, seen, price).cuts(task)
 
 
 class _Pieces:
@@ -149,7 +149,7 @@ def _limits(points: Points, ring: Indices, seen: Visibility) -> tuple[Indices, I
 
 def _needed_diagonals(ground: Triangulation, price: Price, task: Task) -> list[Cut]:
     """Drop the diagonals of a triangulation that no vertex needs, the dearest first."""
-    n = len(ground.ring)
+    n = len(ground.rings.rows)
     a, b = ground.triangles.ravel(), np.roll(ground.triangles, -1, axis=1).ravel()
     inner = (ground.twins >= 0) & (a < b)
     ways = [[1, n - 1] for _ in range(n)]  # steps ahead to the neighbours of each vertex, counter-clockwise
@@ -170,7 +170,7 @@ def _needed_diagonals(ground: Triangulation, price: Price, task: Task) -> list[C
 
 def _is_needed(ground: Triangulation, ways: list[int], u: int, v: int) -> bool:
     """Tell whether the angle at u is reflex without the diagonal to v."""
-    n = len(ground.ring)
+    n = len(ground.rings.rows)
     at = ways.index((v - u) % n)
     before, after = ((u + ways[at + step]) % n for step in (-1, 1))
-    return bool(ground.points.orientation(*ground.ring[[[after], [u], [before]]])[0] < 0)
+    return bool(ground.points.orientation(*ground.rings.rows[[[after], [u], [before]]])[0] < 0)

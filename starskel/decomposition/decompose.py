@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from starskel.correspondence import Correspondence
-from starskel.decomposition.kernel import star_point, star_vertices
+from starskel.decomposition.kernel import star_points, star_vertices
 from starskel.decomposition.ladder import by_fan, climb, triangulated
 from starskel.decomposition.links import links_of
 from starskel.decomposition.minimal import minimal_pieces
@@ -19,6 +19,7 @@ from starskel.errors import NoDecomposition, StarskelError
 from starskel.outline import precedes
 from starskel.points import points_of
 from starskel.predicates import Floats
+from starskel.rings import Rings
 from starskel.task import Progress, ShouldStop, Task
 
 ALGORITHMS = ("minimal", "convex")
@@ -154,30 +155,29 @@ def _finished(pair: Correspondence, tiling: Tiling, start: int, task: Task) -> D
     n = len(pair.source)
     rows = [*((v - start) % n for v in range(n)), *sorted({v for p in tiling.pieces for v in p if v >= n})]
     name = {old: new for new, old in enumerate(rows)}
-    source, target = (
-        np.array(side) for side in zip(*(_origins(tiling, p, task) for p in tiling.pieces), strict=True)
-    )
     return Decomposition(
         pair,
         tiling.source.coordinates[rows],
         tiling.target.coordinates[rows],
         tuple(tuple(name[v] for v in piece) for piece in tiling.pieces),
-        source,
-        target,
+        *_origins(tiling, task),
     )
 
 
-def _origins(tiling: Tiling, piece: Piece, task: Task) -> tuple[Floats, Floats]:
-    """Give the mean of the common star vertices (paper, section 2.4.2), or the centroids of both kernels."""
-    task.reach(0)
-    ring = np.array(piece)
-    common = ring[star_vertices(tiling.source, ring, task) & star_vertices(tiling.target, ring, task)]
-    if len(common):
-        return tiling.source.coordinates[common].mean(axis=0), tiling.target.coordinates[common].mean(axis=0)
-    task.reach(0)
-    source = star_point(tiling.source, ring, task)
-    task.reach(0)
-    target = star_point(tiling.target, ring, task)
-    if source is None or target is None:
-        raise AssertionError("a piece is not star-shaped")
-    return source, target
+def _origins(tiling: Tiling, task: Task) -> tuple[Floats, Floats]:
+    """Give the means of the common star vertices (paper, section 2.4.2), or the centroids of both kernels."""
+    rings = Rings.of(tiling.pieces)
+    stars = np.flatnonzero(star_vertices((tiling.source, tiling.target), rings, task))
+    common = np.bincount(rings.owner[stars], minlength=len(tiling.pieces))
+    without = np.flatnonzero(common == 0)
+    left = Rings.of([tiling.pieces[k] for k in without.tolist()])
+    origins = []
+    for side in (tiling.source, tiling.target):
+        places = np.zeros((len(tiling.pieces), 2))
+        np.add.at(places, rings.owner[stars], side.coordinates[rings.rows[stars]])
+        places /= np.maximum(common, 1)[:, None]
+        places[without], areas = star_points(side, left, task)
+        if not (areas > 0).all():
+            raise AssertionError("a piece is not star-shaped")
+        origins.append(places)
+    return origins[0], origins[1]

@@ -8,56 +8,47 @@ from numpy.typing import NDArray
 
 from starskel.points import Points, points_of
 from starskel.predicates import ROUNDING, Complex, Floats, Indices, Relation
+from starskel.rings import Rings, ranges
 from starskel.task import UNWATCHED, Task
 
 Entry = TypeVar("Entry", bound=np.generic)
 
 _AT_ONCE = 64
+"""Edges that cells are cut along between two questions whether to stop."""
+
+_FIRST_EDGES = 8
+"""Edges that vertices are held against at first; each time those left are held against twice as many."""
 
 
-def star_vertices(points: Points, ring: Indices, task: Task = UNWATCHED) -> Relation:
-    """Give for each vertex of a simple ring over points whether it lies in the kernel, exactly."""
-    stars = np.ones(len(ring), dtype=bool)
-    ends = np.roll(ring, -1)
-    for first in range(0, len(ring), _AT_ONCE):  # few edges leave few vertices to look at
-        task.reach(0)
-        edges = slice(first, first + _AT_ONCE)
-        sides = points.orientation(ring[edges][None], ends[edges][None], ring[stars, None])
-        stars[stars] = (sides >= 0).all(axis=1)
-    return stars
+def star_vertices(sides: Sequence[Points], rings: Rings, task: Task = UNWATCHED) -> Relation:
+    """Tell for each vertex of many simple rings whether it lies in the kernels of its ring, exactly.
 
-
-def have_star_vertices(sides: Sequence[Points], rings: Sequence[Indices]) -> Relation:
-    """Tell for many simple rings whether a vertex of each lies in its kernels over all sides, exactly.
-
-    The vertices of all rings are held against the edges of theirs together, first those of one side, then
-    on the other those that are left.
+    The rings are the same over all sides. A few edges leave few vertices to be held against the others.
     """
-    if not len(rings):
-        return np.empty(0, dtype=bool)
-    counts = np.array([len(ring) for ring in rings])
-    vertices = np.concatenate(rings)
-    ends = _next(vertices, np.cumsum(counts) - counts, np.cumsum(counts) - 1)
-    owner = np.repeat(np.arange(len(rings)), counts)
-    star = np.arange(len(vertices))
+    ends = rings.rows[rings.following]
+    star = np.arange(len(rings.rows))
+    most = int(rings.counts.max(initial=0))
     for points in sides:
-        many = counts[owner[star]]
-        held = np.repeat(star, many)
-        begun = np.cumsum(many) - many
-        edge = np.arange(len(held)) + ((np.cumsum(counts) - counts)[owner[star]] - begun).repeat(many)
-        left = points.orientation(vertices[edge], ends[edge], vertices[held]) >= 0
-        star = star[np.logical_and.reduceat(left, begun)] if len(star) else star
-    found: Relation = np.bincount(owner[star], minlength=len(rings)) > 0
-    return found
+        done, step = 0, _FIRST_EDGES
+        while done < most and len(star):
+            task.reach(0)
+            owner = rings.owner[star]
+            held, edge = ranges(rings.first[owner] + done, (rings.counts[owner] - done).clip(0, step))
+            right = points.orientation(rings.rows[edge], ends[edge], rings.rows[star[held]]) < 0
+            star = star[np.bincount(held[right], minlength=len(star)) == 0]
+            done, step = done + step, 2 * step
+    stars = np.zeros(len(rings.rows), dtype=bool)
+    stars[star] = True
+    return stars
 
 
 def star_point(points: Points, ring: Indices, task: Task = UNWATCHED) -> Floats | None:
     """Give a point strictly inside the kernel: the kernel's centroid; None where the kernel has no inside."""
-    places, areas = star_points(points, [ring], task)
+    places, areas = star_points(points, Rings.of([ring]), task)
     return places[0] if areas[0] > 0 else None
 
 
-def star_points(points: Points, rings: Sequence[Indices], task: Task = UNWATCHED) -> tuple[Floats, Floats]:
+def star_points(points: Points, rings: Rings, task: Task = UNWATCHED) -> tuple[Floats, Floats]:
     """Give for many rings over points the centroids of their kernels, and the kernels' areas.
 
     Exact predicates prove that the centroid is strictly to the left of all edges, and that the ring goes
@@ -68,23 +59,20 @@ def star_points(points: Points, rings: Sequence[Indices], task: Task = UNWATCHED
     -------
     (k, 2) and (k,) arrays
     """
-    if not len(rings):
+    if not len(rings.counts):
         return np.empty((0, 2)), np.empty(0)
-    counts = np.array([len(ring) for ring in rings])
-    vertices = np.concatenate(rings)
-    owner = np.repeat(np.arange(len(rings)), counts)
-    first = np.cumsum(counts) - counts
-    before, after = np.arange(len(vertices)) - 1, np.arange(len(vertices)) + 1
-    before[first], after[first + counts - 1] = first + counts - 1, first
-    corner = points.orientation(vertices[before], vertices, vertices[after]) != 0  # others bound nothing
+    vertices, owner, after = rings.rows, rings.owner, rings.following
+    corner = (
+        points.orientation(vertices[rings.preceding], vertices, vertices[after]) != 0
+    )  # others bound nothing
     places, areas = _kernels(
-        points.coordinates[vertices[corner]], np.bincount(owner[corner], minlength=len(rings)), task
+        points.coordinates[vertices[corner]], np.bincount(owner[corner], minlength=len(rings.counts)), task
     )
     placed = points.with_free(places)
     sides = placed.orientation(vertices, vertices[after], len(points.coordinates) + owner)
     above = points.coordinates[vertices, 1] > places[owner, 1]
-    turns = np.bincount(owner[above[after] & ~above], minlength=len(rings))
-    proven = np.logical_and.reduceat(sides > 0, first) & (turns == 1)
+    turns = np.bincount(owner[above[after] & ~above], minlength=len(rings.counts))
+    proven = np.logical_and.reduceat(sides > 0, rings.first) & (turns == 1)
     return places, np.where(proven, areas, 0.0)
 
 

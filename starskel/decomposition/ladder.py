@@ -30,8 +30,7 @@ def climb(tiling: Tiling, cell: Piece, free: Free, task: Task) -> Tiling:
         return tiling
     task.reach(0)
     grounds = triangulated(tiling, cell, task.quiet)
-    cells = least_stuck_cells(links_of(*grounds, task), task.quiet)
-    parts = [tuple(cell[v] for v in part) for part in cells]
+    parts = least_stuck_cells(links_of(*grounds, task), task.quiet)[0]
     tiling = tiling.replace(cell, parts)
     for at, part in enumerate(parts):
         if not tiling.is_star(part, task.quiet):

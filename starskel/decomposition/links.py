@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.predicates import Floats, Indices, Relation
+from starskel.rings import Rings
 from starskel.task import Task
 from starskel.triangulation import Triangulation
 from starskel.visibility import visibility
@@ -22,12 +23,15 @@ class Links:
         Diagonals of both polygons.
     source, target : (n, 2) arrays
         The polygons, scaled so that n diagonals of both together are shorter than 1/2.
+    rings : Rings
+        The vertices, if these are several pairs of polygons: of different ones none see each other.
     """
 
     sees: Relation
     diagonal: Relation
     source: Floats
     target: Floats
+    rings: Rings
 
     def price(self, i: Indices, j: Indices) -> Floats:
         """Give what diagonals cost: their lengths in both polygons."""
@@ -36,16 +40,20 @@ class Links:
 
 
 def links_of(source: Triangulation, target: Triangulation, task: Task) -> Links:
-    """Give the links of a pair; a diagonal costs its lengths, each in the size of its polygon."""
+    """Give the links of pairs of rings; a diagonal costs its lengths, each in the size of its ring."""
     first, second = visibility(source, task), visibility(target, task)
     return Links(
         first.sees & second.sees,
         first.diagonal & second.diagonal,
-        _scaled(source.vertices),
-        _scaled(target.vertices),
+        _scaled(source),
+        _scaled(target),
+        source.rings,
     )
 
 
-def _scaled(ring: Floats) -> Floats:
-    scaled: Floats = ring / (8 * len(ring) * np.ptp(ring, axis=0).max())
+def _scaled(ground: Triangulation) -> Floats:
+    vertices, rings = ground.vertices, ground.rings
+    high, low = (extreme.reduceat(vertices, rings.first) for extreme in (np.maximum, np.minimum))
+    size = 8 * rings.counts * (high - low).max(axis=1)
+    scaled: Floats = vertices / size[rings.owner, None]
     return scaled

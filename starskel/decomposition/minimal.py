@@ -31,7 +31,7 @@ import numpy as np
 
 from starskel.decomposition.links import Links
 from starskel.decomposition.pieces import Piece
-from starskel.predicates import Floats
+from starskel.predicates import Floats, Indices
 from starskel.task import Task
 
 _ROWS = 256
@@ -62,14 +62,18 @@ def minimal_pieces(links: Links, task: Task) -> list[Piece] | None:
     n = len(links.sees)
     f, left, right = (_table(n, task) for _ in range(3))
     tables = _fill(_Tables(f, left, right, None), links, task)
-    return _pieces(tables, links) if np.isfinite(f[0, n - 1]) else None
+    return _pieces(tables, links, 0) if np.isfinite(f[0, n - 1]) else None
 
 
-def least_stuck_cells(links: Links, task: Task) -> list[Piece]:
-    """Give star pieces and stuck cells that tile both polygons, the stuck cells as small as can be."""
+def least_stuck_cells(links: Links, task: Task) -> list[list[Piece]]:
+    """Give for each ring star pieces and stuck cells that tile it in both polygons, these as small as can be.
+
+    Several rings take hardly longer than the largest of them alone.
+    """
     n = len(links.sees)
     f, left, right, chain = (_table(n, task) for _ in range(4))
-    return _pieces(_fill(_Tables(f, left, right, chain), links, task), links)
+    tables = _fill(_Tables(f, left, right, chain), links, task)
+    return [_pieces(tables, links, ring) for ring in range(len(links.rings.counts))]
 
 
 def _table(n: int, task: Task) -> Floats:
@@ -81,23 +85,34 @@ def _table(n: int, task: Task) -> Floats:
 
 
 def _fill(tables: _Tables, links: Links, task: Task) -> _Tables:
-    n = len(links.sees)
     task.reach(0)
+    edges = _every(links, 1)
     for table in (tables.f, tables.left, tables.right):
-        _set(table, np.arange(n - 1), 1, np.zeros(n - 1))
+        _set(table, edges, 1, np.zeros(len(edges)))
     if tables.chain is not None:
-        _set(tables.chain, np.arange(n - 1), 1, np.full(n - 1, float(n)))
-    for span in range(2, n):
-        task.reach((span / n) ** 2)
+        _set(tables.chain, edges, 1, _sizes(links, edges))
+    longest = int(links.rings.counts.max())
+    for span in range(2, longest):
+        task.reach((span / longest) ** 2)
         _fill_span(tables, links, span)
     return tables
 
 
+def _every(links: Links, span: int) -> Indices:
+    """Give the vertices from which the span does not lead beyond their ring."""
+    return np.flatnonzero(links.rings.owner[span:] == links.rings.owner[: len(links.sees) - span])
+
+
+def _sizes(links: Links, vertices: Indices) -> Floats:
+    """Give how many vertices the rings have that the vertices belong to."""
+    sizes: Floats = links.rings.counts[links.rings.owner[vertices]].astype(np.float64)
+    return sizes
+
+
 def _fill_span(tables: _Tables, links: Links, span: int) -> None:
     seen = np.flatnonzero(np.diagonal(links.sees, span))
-    linked = (
-        np.flatnonzero(np.diagonal(links.diagonal, span)) if span < len(links.sees) - 1 else np.array([0])
-    )
+    diagonal = np.flatnonzero(np.diagonal(links.diagonal, span))
+    linked = np.concatenate([diagonal, links.rings.first[links.rings.counts == span + 1]])
     left = _least(tables.f, tables.left, seen, span)
     right = _least(tables.right, tables.f, seen, span)
     _set(tables.left, seen, span, left)
@@ -106,17 +121,17 @@ def _fill_span(tables: _Tables, links: Links, span: int) -> None:
     ends = np.minimum(tables.left[linked, linked + span], tables.right[linked, linked + span])
     cost = 1 + np.minimum(cost, ends)
     if tables.chain is not None:
-        every = np.arange(len(links.sees) - span)
+        every = _every(links, span)
         chain = _least(tables.f, tables.chain, every, span)
-        cost = np.minimum(cost, chain[linked] + len(links.sees))
-    if span < len(links.sees) - 1:
-        cost += links.price(linked, linked + span)
+        cost = np.minimum(cost, chain[np.searchsorted(every, linked)] + _sizes(links, linked))
+    cost[: len(diagonal)] += links.price(diagonal, diagonal + span)
     _set(tables.f, linked, span, cost)
     for table in (tables.left, tables.right):  # every diagonal is seen
         _set(table, linked, span, np.minimum(table[linked, linked + span], cost))
     if tables.chain is not None:
-        chain[linked] = np.minimum(chain[linked], cost)
-        _set(tables.chain, every, span, chain + len(links.sees))
+        at = np.searchsorted(every, linked)
+        chain[at] = np.minimum(chain[at], cost)
+        _set(tables.chain, every, span, chain + _sizes(links, every))
 
 
 def _least(first: Floats, second: Floats, rows: np.ndarray, span: int) -> Floats:
@@ -140,13 +155,13 @@ def _set(table: Floats, rows: np.ndarray, span: int, values: Floats) -> None:
     table[rows + span, rows] = values
 
 
-def _pieces(tables: _Tables, links: Links) -> list[Piece]:
+def _pieces(tables: _Tables, links: Links, ring: int) -> list[Piece]:
     """Walk back through the tables; equal costs are decided for the lowest index."""
     pieces: list[Piece] = []
-    waiting = [(0, len(links.sees) - 1)]
+    waiting = [(int(links.rings.first[ring]), int(links.rings.last[ring]))]
     while waiting:
         boundary = _boundary(tables, links, *waiting.pop())
-        pieces.append(tuple(boundary))
+        pieces.append(tuple(links.rings.rows[boundary].tolist()))
         waiting += [(a, b) for a, b in pairwise(boundary) if b - a > 1]
     return pieces
 
@@ -161,7 +176,7 @@ def _boundary(tables: _Tables, links: Links, i: int, j: int) -> list[int]:
     k = i + int(inner.argmin())
     if tables.chain is not None:
         chain = _through(tables.f, tables.chain, i, j)
-        if chain.min() + len(links.sees) < 1 + inner.min():
+        if chain.min() + _sizes(links, np.array([i]))[0] < 1 + inner.min():
             first = i + 1 + int(chain.argmin())
             return [i, first, *_chain_of_links(tables.f, tables.chain, first, j)]
     ahead = _chain_of_links(tables.f, tables.left, i, k, closing=(i, j))

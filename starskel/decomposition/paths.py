@@ -111,12 +111,12 @@ def _places(ground: Triangulation, ends: list[int]) -> Places:
 
     Through the middles of edges alone a path leads from everywhere to everywhere.
     """
-    weights = WITHIN if len(ground.ring) <= MANY else WITHIN[:0]
+    weights = WITHIN if len(ground.rings.rows) <= MANY else WITHIN[:0]
     within = np.repeat(np.arange(len(ground.triangles)), len(weights))
     inner = np.flatnonzero(ground.twins > np.arange(len(ground.twins)))
     free = np.einsum("ps,fsx->fpx", weights, ground.vertices[ground.triangles]).reshape(-1, 2)
     a, b = ground.triangles.ravel(), np.roll(ground.triangles, -1, axis=1).ravel()
-    middles = ground.ring[a[inner]], ground.ring[b[inner]]
+    middles = ground.rings.rows[a[inner]], ground.rings.rows[b[inner]]
     points = ground.points.with_free(free).with_on_chords(*middles, np.full(len(inner), 0.5))
     added = np.arange(len(ground.points.start), len(points.start))
     homes = [np.flatnonzero((ground.triangles == end).any(axis=1)) for end in ends]
@@ -124,7 +124,7 @@ def _places(ground: Triangulation, ends: list[int]) -> Places:
     place = np.repeat(np.arange(2 + len(added)), [*map(len, homes), *[1] * len(added)])
     place = np.concatenate([place, np.arange(2 + len(free), 2 + len(added))])
     order = np.argsort(triangle, kind="stable")
-    return Places(points, np.concatenate([ground.ring[ends], added]), place[order], triangle[order])
+    return Places(points, np.concatenate([ground.rings.rows[ends], added]), place[order], triangle[order])
 
 
 def _widest(ways: _Ways, task: Task) -> Floats | None:

@@ -99,7 +99,7 @@ class _Reduction:
     def _look_at(self, rings: Iterable[Piece]) -> None:
         """Find out which rings are simple, counter-clockwise and star-shaped in both polygons."""
         for part in self._parts({ring for ring in rings if ring not in self._stars}, AT_ONCE, len):
-            stars = self._tiling.are_stars(part, self._task.quiet)
+            stars = self._tiling.have_kernels(part, self._task.quiet)
             self._stars.update(zip(part, stars.tolist(), strict=True))
 
     def _look_for_common_vertices(self, rings: Iterable[Piece]) -> None:

@@ -14,6 +14,7 @@ from starskel.decomposition.pieces import Piece, edges_of
 from starskel.decomposition.tiling import Tiling
 from starskel.points import Points
 from starskel.predicates import Floats, Indices
+from starskel.rings import Rings
 from starskel.task import Task
 
 STRIDES = (0.4, 0.25, 0.15, 0.1, 0.06)
@@ -49,7 +50,7 @@ def _moved(tiling: Tiling, n: int, side: int, stride: float, task: Task) -> Tili
     points = (tiling.source, tiling.target)[side]
     around = _around(tiling, n)
     neighbours = list(dict.fromkeys(piece for pieces in around.values() for piece in pieces))
-    stars = tiling.are_stars(neighbours, task)
+    stars = tiling.have_kernels(neighbours, task)
     touched = {piece for piece, star in zip(neighbours, stars, strict=True) if not star}
     free = {vertex: pieces for vertex, pieces in sorted(around.items()) if touched.isdisjoint(pieces)}
     moves: dict[int, Floats] = {}
@@ -99,7 +100,7 @@ def _worth(points: Points, free: list[tuple[int, list[Piece]]], rows: Indices, t
             renamed = np.repeat(piece[None], len(names), axis=0)
             renamed[:, piece == vertex] = names[:, None]
             rings += list(renamed)
-    _, areas = star_points(points, rings, task)
+    _, areas = star_points(points, Rings.of(rings), task)
     perimeters = _perimeters(points.coordinates, rings)
     first = np.cumsum([0, *(len(pieces) for _, pieces in free)])[:-1]
     worth = (areas / perimeters**2).reshape(-1, rows.shape[1])

@@ -135,5 +135,5 @@ def _onward(ground: Triangulation, places: Places, views: _Views) -> _Views:
 
 def _ends(ground: Triangulation, edges: Indices) -> tuple[Indices, Indices]:
     """Give the rows of the points from which and to which half-edges run."""
-    corners = ground.ring[ground.triangles].ravel()
+    corners = ground.rings.rows[ground.triangles].ravel()
     return corners[edges], corners[edges - edges % 3 + (edges + 1) % 3]

@@ -5,16 +5,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from starskel.decomposition.kernel import have_star_vertices, star_points, star_vertices
+from starskel.decomposition.kernel import star_points, star_vertices
 from starskel.decomposition.pieces import Piece
 from starskel.points import Points
 from starskel.predicates import Floats, Relation
+from starskel.rings import Rings
 from starskel.task import Task
 
 NOWHERE = np.empty((0, 2))
-
-_SMALL = 100
-"""Rings of so many vertices are looked at together with all edges; of larger ones few edges leave little."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,29 +57,26 @@ class Tiling:
 
     def is_star(self, piece: Piece, task: Task) -> bool:
         """Tell whether a simple ring of vertices has a common star vertex, or kernels with an inside."""
-        return self.has_common_star_vertex(piece, task) or bool(self.are_stars([piece], task)[0])
+        return bool(self.are_stars([piece], task)[0])
 
-    def has_common_star_vertex(self, piece: Piece, task: Task) -> bool:
-        """Tell whether one of its vertices sees the whole of a simple ring, in both polygons."""
-        ring = np.array(piece)
-        stars = star_vertices(self.source, ring, task)
-        return bool(stars.any() and (stars & star_vertices(self.target, ring, task)).any())
+    def are_stars(self, pieces: Sequence[Piece], task: Task) -> Relation:
+        """Tell which simple rings of vertices have a common star vertex, or kernels with an inside."""
+        stars = self.have_common_star_vertices(pieces, task)
+        left = np.flatnonzero(~stars)
+        stars[left] = self.have_kernels([pieces[k] for k in left.tolist()], task)
+        return stars
 
     def have_common_star_vertices(self, pieces: Sequence[Piece], task: Task) -> Relation:
         """Tell for which simple rings one of their vertices sees the whole, in both polygons."""
-        found: Relation = np.zeros(len(pieces), dtype=bool)
-        small = np.array([len(piece) <= _SMALL for piece in pieces], dtype=bool)
-        rings = [np.array(pieces[k]) for k in np.flatnonzero(small).tolist()]
-        found[small] = have_star_vertices((self.source, self.target), rings)
-        for k in np.flatnonzero(~small).tolist():
-            found[k] = self.has_common_star_vertex(pieces[k], task)
+        rings = Rings.of(pieces)
+        stars = star_vertices((self.source, self.target), rings, task)
+        found: Relation = np.bincount(rings.owner[stars], minlength=len(pieces)) > 0
         return found
 
-    def are_stars(self, pieces: Sequence[Piece], task: Task) -> Relation:
+    def have_kernels(self, pieces: Sequence[Piece], task: Task) -> Relation:
         """Tell which rings of vertices are simple, counter-clockwise and have kernels with an inside."""
-        rings = [np.array(piece) for piece in pieces]
-        stars: Relation = np.ones(len(rings), dtype=bool)
+        stars: Relation = np.ones(len(pieces), dtype=bool)
         for side in (self.source, self.target):
-            _, areas = star_points(side, [rings[k] for k in np.flatnonzero(stars)], task)
-            stars[stars] = areas > 0
+            left = [pieces[k] for k in np.flatnonzero(stars).tolist()]
+            stars[stars] = star_points(side, Rings.of(left), task)[1] > 0
         return stars

@@ -62,7 +62,7 @@ def _fewer_cuts(tiling: Tiling, whole: Piece, task: Task) -> tuple[list[Cut], bo
 
 def _price(ground: Triangulation, free: Relation) -> Price:
     """Prefer diagonals that are diagonals of the other polygon as well, then short ones."""
-    n = len(ground.ring)
+    n = len(ground.rings.rows)
     longest = np.hypot(*np.ptp(ground.vertices, axis=0))
 
     def price(i: Indices, j: Indices) -> Floats:

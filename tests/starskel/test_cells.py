@@ -44,7 +44,7 @@ def test_cells_are_convex_and_tile_the_ring(ground):
 
 def test_walks_behind_a_side_pass_the_other_sides_of_the_cell_behind(ground):
     cells = cells_of(ground)
-    n = len(ground.ring)
+    n = len(ground.rings.rows)
     for place in cells.first:
         side = cells.corner[place], cells.corner[place + 1]
         start = cells.behind[place]

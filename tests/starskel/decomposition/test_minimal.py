@@ -4,8 +4,9 @@ import pytest
 from starskel.decomposition.links import links_of
 from starskel.decomposition.minimal import least_stuck_cells, minimal_pieces
 from starskel.points import points_of
+from starskel.rings import Rings
 from starskel.task import Task
-from starskel.triangulation import triangulate
+from starskel.triangulation import triangulate, triangulate_rings
 from tests.families import related, turned, two_opt
 from tests.starskel.decomposition.exhaustive import fewest_pieces, pairs_of_ring, price
 
@@ -76,10 +77,23 @@ def test_pieces_are_bounded_by_links_and_have_a_common_star_vertex(n):
 def test_stuck_cells_and_star_pieces_tile_together(seed):
     source, target = two_opt(20, seed), two_opt(20, seed + 1000)
     common = links(source, target)
-    cells = least_stuck_cells(common, Task())
+    cells = least_stuck_cells(common, Task())[0]
     edges = [edge for cell in cells for edge in zip(cell, (*cell[1:], cell[0]), strict=True)]
     assert len(set(edges)) == len(edges)
     assert {(a, b) for a, b in edges if (b, a) not in edges} == {(i, (i + 1) % 20) for i in range(20)}
+
+
+def test_rings_that_are_cut_together_are_cut_as_each_is_alone():
+    source, target = two_opt(20, 2), two_opt(20, 1002)
+    cells = least_stuck_cells(links(source, target), Task())[0]
+    assert len(cells) > 2
+    sides = points_of(source), points_of(target)
+
+    def cut(*rings):
+        grounds = (triangulate_rings(side, Rings.of(rings)) for side in sides)
+        return least_stuck_cells(links_of(*grounds, Task()), Task())
+
+    assert cut(*cells, range(20)) == [cut(cell)[0] for cell in (*cells, range(20))]
 
 
 def test_the_same_input_gives_the_same_pieces():

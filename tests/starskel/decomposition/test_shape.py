@@ -8,6 +8,7 @@ from starskel.decomposition.tiling import Tiling
 from starskel.errors import Cancelled
 from starskel.outline import edge_lengths, signed_areas
 from starskel.points import points_of
+from starskel.rings import Rings
 from starskel.task import UNWATCHED, Task
 from tests.families import two_opt
 
@@ -25,7 +26,7 @@ def roundness(tiling):
     rings = [np.array(piece) for piece in tiling.pieces]
     sides = []
     for points in (tiling.source, tiling.target):
-        _, areas = star_points(points, rings)
+        _, areas = star_points(points, Rings.of(rings))
         sides.append(areas / [edge_lengths(points.coordinates[ring]).sum() ** 2 for ring in rings])
     return np.array(sides)
 
