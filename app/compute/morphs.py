@@ -146,7 +146,13 @@ class _Painter(QObject):
 
 
 class Morphs(QObject):
-    """The window's end: takes wishes, passes on what was painted."""
+    """The window's end: takes wishes, passes on what was painted.
+
+    Attributes
+    ----------
+    busy : bool
+        Whether a picture is being painted.
+    """
 
     shown = Signal(object)
     """A `Shown`."""
@@ -155,7 +161,7 @@ class Morphs(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._waiting: dict[str, Wish] = {}
-        self._busy = False
+        self.busy = False
         self._painter = _Painter()
         self._thread = QThread(self)
         self._painter.moveToThread(self._thread)
@@ -177,17 +183,17 @@ class Morphs(QObject):
 
     @Slot(object)
     def _take(self, shown: Shown | None) -> None:
-        self._busy = False
+        self.busy = False
         if shown is not None:
             self.shown.emit(shown)
         self._go_on()
 
     def _go_on(self) -> None:
-        if self._busy or not self._waiting:
+        if self.busy or not self._waiting:
             return
         if not self._thread.isRunning():
             self._thread.start()
-        self._busy = True
+        self.busy = True
         self._asked.emit(self._waiting.pop(next(iter(self._waiting))))
 
 

@@ -110,10 +110,11 @@ class MarkBegun(Tool):
 
     def overlay(self, scene: Scene, side: Side) -> Overlay:
         here = self.pointer is not None and self.pointer.side == side
+        refused = self.refusal is not None  # its two ends are shown, and the line would cross what is said
         return Overlay(
             vertex=self.over if here else None,
             pin=(self.vertex, len(scene.document.marks)) if side == self.side else None,
-            line=self.pointer.at if self.pointer is not None and here else None,
+            line=self.pointer.at if self.pointer is not None and here and not refused else None,
         )
 
     def _set(self, scene: Scene, pointer: Pointer, vertex: int) -> Response:

@@ -27,8 +27,8 @@ NOTICE_FLAGS = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignLeft | Qt.Alignm
 NOTICE = 340.0
 """Width of a notice, in pixels."""
 
-VEIL = 10000.0
-"""So many pixels farther away is as bad as lying over the shape with all of the notice."""
+VEIL = 3000.0
+"""So many pixels farther away is as bad as lying over the inside of the shape with all of the notice."""
 
 CLEARANCE = 24.0
 """Pixels between a notice and what it is about."""
@@ -153,12 +153,18 @@ def _distance(box: QRectF, places: Sequence[QPointF]) -> float:
 
 
 def _covered(boxes: Sequence[QRectF], ring: Floats) -> Floats:
-    """Give for boxes of one size the part of each that lies over the shape."""
+    """Tell of boxes of one size how much of the shape each hides.
+
+    Inside counts by the part of the box that lies over it, outline by how often it would cross the box: of a
+    plain inside little is missed.
+    """
     if len(ring) < 3:
         return np.zeros(len(boxes))
     shape = shapely.make_valid(shapely.polygons(ring))  # a gesture under way may cross itself
     plates = shapely.box(*np.array([(b.left(), b.top(), b.right(), b.bottom()) for b in boxes]).T)
-    return np.asarray(shapely.area(shapely.intersection(plates, shape)) / shapely.area(plates))
+    inside = shapely.area(shapely.intersection(plates, shape)) / shapely.area(plates)
+    outline = shapely.length(shapely.intersection(plates, shapely.linearrings(ring)))
+    return np.asarray(inside + outline / boxes[0].width())
 
 
 def _near(box: QRectF) -> QRectF:
