@@ -1,14 +1,14 @@
 """The triangles that star pieces fall into: a fan round a hub that sees the whole piece, in both polygons."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from starskel.decomposition.kernel import star_point, star_vertices
+from starskel.decomposition.kernel import star_points, star_vertices
 from starskel.decomposition.pieces import Decomposition, edges_of
 from starskel.points import Points, points_of
-from starskel.predicates import Floats
+from starskel.predicates import Floats, Indices
 from starskel.rings import Rings
 from starskel.task import Task
 from starskel.triangulation import Triangle
@@ -31,7 +31,7 @@ class Fans:
 
     source: Floats
     target: Floats
-    triangles: NDArray[np.intp]
+    triangles: Indices
     hubs: tuple[tuple[int, ...], ...]
 
 
@@ -45,14 +45,13 @@ def fans_of(decomposition: Decomposition, task: Task) -> Fans:
     count = len(decomposition.source)
     triangles: list[Triangle] = []
     hubs: list[tuple[int, ...]] = []
-    exact = _exact_points(decomposition)
+    kernels = _hubs(decomposition, task)
     for piece in decomposition.pieces:
-        task.reach(0)
         if len(piece) == 3:
             triangles.append((piece[0], piece[1], piece[2]))
             hubs.append(piece)
             continue
-        hub = _hub(*exact, np.array(piece))
+        hub = next(kernels)
         if isinstance(hub, int):
             own = piece[hub]
         else:
@@ -72,11 +71,24 @@ def _exact_points(decomposition: Decomposition) -> tuple[Points, Points]:
     return source.with_free(steiner[0]), target.with_free(steiner[1])
 
 
-def _hub(first: Points, second: Points, piece: NDArray[np.intp]) -> int | tuple[Floats, Floats]:
-    """Give a point of both kernels: a vertex by its place in the piece, or a place in each polygon."""
-    centres = star_point(first, piece), star_point(second, piece)
-    if centres[0] is not None and centres[1] is not None:
-        return centres[0], centres[1]
+def _hubs(decomposition: Decomposition, task: Task) -> Iterator[int | tuple[Floats, Floats]]:
+    """Give for each piece of more than three vertices a point of both kernels.
+
+    That is a place in each polygon, or a vertex by its place in the piece.
+    """
+    first, second = _exact_points(decomposition)
+    pieces = [np.array(piece) for piece in decomposition.pieces if len(piece) > 3]
+    rings = Rings.of(pieces)
+    sides = [star_points(points, rings, task) for points in (first, second)]
+    (places, areas), (others, other_areas) = sides
+    inside = (areas > 0) & (other_areas > 0)
+    for number, piece in enumerate(pieces):
+        task.reach(0)
+        yield (places[number], others[number]) if inside[number] else _thin_hub(first, second, piece)
+
+
+def _thin_hub(first: Points, second: Points, piece: Indices) -> int | tuple[Floats, Floats]:
+    """Give a point of kernels without an inside: the best common star vertex, or the mean of all."""
     common = np.flatnonzero(star_vertices((first, second), Rings.of([piece])))
     source, target = first.coordinates[piece], second.coordinates[piece]
     mean = source[common].mean(axis=0), target[common].mean(axis=0)

@@ -51,7 +51,13 @@ class ConvexCombination:
         inner = weights.shape[0] - len(SQUARE)
         matrix = sparse.eye_array(inner) - weights[:inner, :inner]
         pull = weights[:inner, inner:] @ np.stack([SQUARE.real, SQUARE.imag], axis=1)
-        places = splu(sparse.csc_array(matrix)).solve(pull)
+        factors = splu(
+            sparse.csc_array(matrix),
+            permc_spec="MMD_AT_PLUS_A",
+            diag_pivot_thresh=0.0,
+            options={"SymmetricMode": True},
+        )
+        places = factors.solve(pull)
         return np.asarray(places[:, 0] + 1j * places[:, 1])
 
     def _back(self, points: Complex, t: float) -> Complex:

@@ -83,13 +83,14 @@ def _even(ends: tuple[Key, Key], guide: Guide, numbers: tuple[int, ...], task: T
     """Give times so dense that a guide's frames move evenly between them, all but; and these frames."""
     start, end = ends
     span, size = end.t - start.t, extent(start.frame)
-    for links in numbers:
-        times = np.linspace(start.t, end.t, 2 * max(1, int(np.ceil(span * links))) + 1)
+    *fewer, most = (max(1, int(np.ceil(span * links))) for links in numbers)
+    for count in fewer:
+        times = np.linspace(start.t, end.t, 2 * count + 1)
         frames = frames_at(times, guide, len(start.frame), task)
-        off = farthest((frames[:-1:2] + frames[2::2]) / 2 - frames[1::2])
-        if off < EVEN * size:
-            break
-    return times[::2], frames[::2]
+        if farthest((frames[:-1:2] + frames[2::2]) / 2 - frames[1::2]) < EVEN * size:
+            return times[::2], frames[::2]
+    times = np.linspace(start.t, end.t, most + 1)
+    return times, frames_at(times, guide, len(start.frame), task)
 
 
 def frames_at(times: Floats, guide: Guide, n: int, task: Task) -> Floats:

@@ -24,7 +24,7 @@ from starskel.task import Task
 MARGINS = (1 / 32, 1.0)
 """By how much a gap is widened, in time, before it is bridged; else it is the whole."""
 
-LINKS = (64,)
+LINKS = (32,)
 """How many links a morph has at first, over the whole time: it need not be followed evenly."""
 
 SWEEPS = 4

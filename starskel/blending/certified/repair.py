@@ -10,6 +10,7 @@ import numpy as np
 from starskel.blending.certified.keys import Chain, Guide, Key, Linked, frames_at
 from starskel.blending.certified.smoothing import retimed, smoothed, thinned
 from starskel.blending.certified.tracking import Pull, Track
+from starskel.outline import cross_themselves
 from starskel.polar import as_complex
 from starskel.predicates import Floats
 from starskel.task import Task
@@ -74,9 +75,10 @@ def _meeting(ahead: Track, back: Track, linked: Linked, task: Task) -> int | Non
     """Give the moment at which changing over makes the way shortest, of those where the link is good."""
     across = [np.sqrt(((f - b) ** 2).mean()) for f, b in zip(ahead.places, back.places[::-1], strict=True)]
     whole = ahead.ways + across + back.ways[::-1]
+    halfway = np.stack([(f + b) / 2 for f, b in zip(ahead.places, back.places[::-1], strict=True)])
     for k in np.argsort(whole, kind="stable"):
         task.reach(0)
-        if linked(ahead.places[k], back.places[-1 - k]):
+        if not cross_themselves(halfway[k : k + 1])[0] and linked(ahead.places[k], back.places[-1 - k]):
             return int(k)
     return None
 

@@ -42,11 +42,13 @@ class Room:
 
     def links(self, before: Floats, after: Floats) -> bool:
         """Tell whether an even motion from one frame to another is safe, with room."""
-        pairs = near_pairs(as_complex(before), as_complex(after), self.kept)
-        return all(
-            self._roomy(as_complex(before), as_complex(after), *near) and not meet(before, after, *near)
-            for near in pairs
-        )
+        first, second = as_complex(before), as_complex(after)
+        for near in near_pairs(first, second, self.kept):
+            vertex, edge = nearer_pairs(first, second, *near, self.kept)
+            clear = stay_clear(first, second, vertex, edge, self.floors(vertex, edge))
+            if not clear or meet(before, after, vertex, edge):
+                return False
+        return True
 
     def floors(self, vertex: Indices, edge: Indices) -> Floats:
         """Give the distances that pairs are to keep."""
@@ -54,10 +56,6 @@ class Room:
         for end in self.ends:
             floors = np.minimum(floors, SHARE * contacts(end, vertex, edge).distance)
         return floors
-
-    def _roomy(self, before: Complex, after: Complex, vertex: Indices, edge: Indices) -> bool:
-        vertex, edge = nearer_pairs(before, after, vertex, edge, self.kept)
-        return stay_clear(before, after, vertex, edge, self.floors(vertex, edge))
 
 
 def contacts(frame: Complex, vertex: Indices, edge: Indices) -> Contact:

@@ -32,7 +32,7 @@ STEPS = 4
 HALVINGS = 5
 """How often a step is halved before it counts as stuck."""
 
-SETTLED = 1e-4
+SETTLED = 1e-3
 """A step shorter than this part of the size, at every vertex, ends a moment."""
 
 CAREFUL = 0.5
