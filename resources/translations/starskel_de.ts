@@ -580,6 +580,14 @@
         <translation>{count}-mal {width} × {height}</translation>
     </message>
     <message>
+        <source>an animation has too many pixels: {size}</source>
+        <translation>eine Animation hat zu viele Pixel: {size}</translation>
+    </message>
+    <message>
+        <source>take fewer or smaller pictures, at most {most} pixels, or MP4</source>
+        <translation>nehmen Sie weniger oder kleinere Bilder mit höchstens {most} Pixeln, oder MP4</translation>
+    </message>
+    <message>
         <source>{name} has too many pixels: {size}</source>
         <translation>{name} hat zu viele Pixel: {size}</translation>
     </message>
@@ -630,6 +638,14 @@
     <message>
         <source>pairing</source>
         <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>a picture of {width} × {height} pixels is too large</source>
+        <translation>ein Bild von {width} × {height} Pixeln ist zu groß</translation>
+    </message>
+    <message>
+        <source>take fewer: at most {most}, {side} a side</source>
+        <translation>nehmen Sie weniger: höchstens {most}, {side} je Seite</translation>
     </message>
 </context>
 <context>

@@ -204,6 +204,9 @@ def _add_look(group: argparse._ArgumentGroup) -> None:
         "--paper", type=_colour, metavar="COLOUR", help="what is behind (nothing; white in sheets)"
     )
     group.add_argument("--size", type=_length, metavar="S", help="the longer side of the largest frame")
+    group.add_argument(
+        "--pixels", type=_pixels, metavar="N", help="the longer side of pictures of pixels (two for a point)"
+    )
     group.add_argument("--margin", type=_length, default=18.0, metavar="M", help="round everything (18)")
     group.add_argument("--gap", type=_length, default=16.0, metavar="G", help="between frames (16)")
 

@@ -46,6 +46,7 @@ def settings_of(arguments: Namespace) -> Settings:
         duration=arguments.duration,
         returning=arguments.returning,
         rate=arguments.rate,
+        pixels=arguments.pixels,
         tolerance=arguments.tolerance,
     )
 

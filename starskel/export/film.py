@@ -21,6 +21,7 @@ from starskel.sheet.drawing import Drawing
 from starskel.sheet.keyframe import ALONE, Shown, keyframes
 from starskel.sheet.rows import Frame, Stage, box_of, row_sheet
 from starskel.sheet.shape_keyframe import shape_keyframes
+from starskel.sheet.style import Look
 
 _LOOKS = 101
 """So many frames of each scene are looked at to see how much room a film needs."""
@@ -142,21 +143,32 @@ class Film:
             yield comparison_sheet(self.title, self._rows(), look=replace(look, paper=paper))
         else:
             tracks = [self._frames(track) for track in self.tracks]
-            stage = self._stage(box_of([frame for frames in tracks for frame in frames]))
+            stage = self._stage(box_of([frame for frames in tracks for frame in frames]), look)
             for number, together in enumerate(zip(*tracks, strict=True)):
                 yield stage.picture(self.title, f"frame-{number}", together)
 
     @cached_property
     def shots(self) -> "tuple[Shot, ...]":
         """The parts of an animation, one after another: in each of them all that is drawn only moves."""
+        bounds = self.tracks[0].bounds
+        return tuple(
+            Shot(self, number, bounds[number], bounds[number + 1])
+            for number in range(len(self.tracks[0].scenes))
+        )
+
+    def pictures(self) -> Iterator[Drawing]:
+        """Give a drawing for each picture of an animation that is made of pictures."""
+        for time in self.settings.moments:
+            frames = [track.frames([time], self.settings.eased, self.settings.shown) for track in self.tracks]
+            yield self.stage.picture(self.title, "frame", [own for (own,) in frames])
+
+    @cached_property
+    def stage(self) -> Stage:
+        """The view that all pictures of an animation have; what is drawn in it only moves."""
         ts = np.linspace(0, 1, _LOOKS).tolist()
         scenes = [scene for track in self.tracks for scene in track.scenes]
         box = box_of([frame for scene in scenes for frame in scene.frames(ts, ALONE, moving=True)])
-        stage, bounds = self._stage(box), self.tracks[0].bounds
-        return tuple(
-            Shot(self, number, bounds[number], bounds[number + 1], stage)
-            for number in range(len(self.tracks[0].scenes))
-        )
+        return self._stage(box, replace(self.settings.look, signs=False, captions=False))
 
     @property
     def only(self) -> Track:
@@ -186,9 +198,8 @@ class Film:
                 rows.append(scene.row(track.name, ts, wanted.shown))
         return rows
 
-    def _stage(self, box: Floats) -> Stage:
-        names = tuple(track.name for track in self.tracks)
-        return Stage(box, names, self.settings.look)
+    def _stage(self, box: Floats, look: Look) -> Stage:
+        return Stage(box, tuple(track.name for track in self.tracks), look)
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,20 +213,17 @@ class Shot:
         Which of the scenes it shows.
     start, end : float
         When it begins and ends, as shares of the whole way.
-    stage : Stage
-        The view, the same for all shots.
     """
 
     film: Film
     number: int
     start: float
     end: float
-    stage: Stage
 
     def drawings(self, shares: Sequence[float]) -> tuple[Drawing, ...]:
         """Give the pictures at shares of this part's time, all of the same items."""
-        stage = replace(self.stage, look=replace(self.stage.look, signs=False, captions=False))
         frames = [self._frames(track, shares) for track in self.film.tracks]
+        stage = self.film.stage
         return tuple(stage.picture(self.film.title, "frame", own) for own in zip(*frames, strict=True))
 
     def _frames(self, track: Track, shares: Sequence[float]) -> tuple[Frame, ...]:

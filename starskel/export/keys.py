@@ -77,7 +77,7 @@ def keys(shot: Shot, task: Task) -> tuple[list[float], tuple[Drawing, ...]]:
     Cancelled
         If the task is to stop.
     """
-    tolerance = shot.film.settings.tolerance * shot.stage.longer_side
+    tolerance = shot.film.settings.tolerance * shot.film.stage.longer_side
     looks = _LOOKS
     times, drawings, paths = _looked_at(shot, looks, tolerance)
     while True:

@@ -32,6 +32,8 @@ class Settings:
         Whether an animation comes back again, the same way.
     rate : float
         Pictures for a second, in formats that are made of pictures.
+    pixels : int or None
+        The longer side of pictures that are made of pixels; None takes two for a point.
     tolerance : float
         In formats that move vertices straight between keys, how far one may stray from its path, as a part of
         the longer side of the box of all frames.
@@ -45,6 +47,7 @@ class Settings:
     duration: float = 3.0
     returning: bool = False
     rate: float = 25.0
+    pixels: int | None = None
     tolerance: float = 0.001
 
     def __post_init__(self) -> None:
@@ -52,11 +55,18 @@ class Settings:
             size=1.0 if self.look.size is None else self.look.size,
             duration=self.duration,
             rate=self.rate,
+            pixels=1.0 if self.pixels is None else self.pixels,
             tolerance=self.tolerance,
         )
         if not self.times:
             raise StarskelError("there is no time to draw", "give at least one, from 0 to 1")
         checked_times(self.times)
+
+    @property
+    def moments(self) -> tuple[float, ...]:
+        """The times of all pictures of an animation that is made of pictures, as shares of the way."""
+        there = even_times(max(2, round(self.duration * self.rate)))
+        return (*there, *there[-2:0:-1]) if self.returning else there
 
 
 def even_times(count: int) -> tuple[float, ...]:

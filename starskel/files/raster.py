@@ -22,6 +22,9 @@ MOST_BYTES = 200_000_000
 MOST_PIXELS = 50_000_000
 """Pictures of more pixels are refused; in memory each takes four bytes, and 16 more while it is used."""
 
+MOST_MOVING_PIXELS = 250_000_000
+"""All frames of an animation that is written have no more pixels: they are in memory together, some twice."""
+
 FORMATS = ("PNG", "JPEG", "GIF", "WEBP", "BMP")
 """What is read."""
 
@@ -106,11 +109,28 @@ def png_of(pixels: Pixels) -> bytes:
 
 
 def write_animation(path: Path, frames: Iterable[Pixels], durations: Sequence[float], loops: int = 0) -> None:
-    """Write frames as GIF, APNG or WebP, as the ending says, whole or not at all.
+    """Write frames as GIF, APNG or WebP, as the ending says, whole or not at all; as `animation_of` makes it.
+
+    Raises
+    ------
+    InvalidFile
+        If the ending is another one, or the file cannot be written.
+    """
+    if path.suffix.lower() not in MOVING:
+        raise InvalidFile(
+            told('{name} ends in "{ending}"', name=path.name, ending=path.suffix),
+            told("end it in {endings}", endings=either(MOVING)),
+        )
+    write_bytes(path, animation_of(path.suffix.lower(), frames, durations, loops))
+
+
+def animation_of(ending: str, frames: Iterable[Pixels], durations: Sequence[float], loops: int = 0) -> bytes:
+    """Give frames as a file that moves.
 
     Parameters
     ----------
-    path : Path
+    ending : {".gif", ".apng", ".webp"}
+        Which kind of file.
     frames : iterable of (h, w, 4) arrays
         All of one size, as many as durations.
     durations : sequence of float
@@ -121,18 +141,15 @@ def write_animation(path: Path, frames: Iterable[Pixels], durations: Sequence[fl
     Raises
     ------
     InvalidFile
-        If the ending is another one, or the file cannot be written.
+        If all frames together have more than `MOST_MOVING_PIXELS`.
     """
-    ending = path.suffix.lower()
-    if ending not in MOVING:
-        raise InvalidFile(
-            told('{name} ends in "{ending}"', name=path.name, ending=path.suffix),
-            told("end it in {endings}", endings=either(MOVING)),
-        )
-    images = [_indexed(frame) if ending == ".gif" else Image.fromarray(frame) for frame in frames]
+    images = []
+    for frame in frames:
+        images.append(_indexed(frame) if ending == ".gif" else Image.fromarray(frame))
+        _check_fits(len(durations), images[0])
+    first, *others = images
     stream = io.BytesIO()
     times = _whole(durations, 10 if ending == ".gif" else 1)
-    first, *others = images
     common = {"save_all": True, "append_images": others, "duration": times, "loop": loops}
     if ending == ".gif":
         first.save(stream, "GIF", disposal=2, optimize=False, **common)
@@ -140,7 +157,7 @@ def write_animation(path: Path, frames: Iterable[Pixels], durations: Sequence[fl
         first.save(stream, "PNG", **common)
     else:
         first.save(stream, "WEBP", lossless=True, **common)
-    write_bytes(path, stream.getvalue())
+    return stream.getvalue()
 
 
 def read_animation(path: Path) -> tuple[list[Pixels], list[float]]:
@@ -184,6 +201,15 @@ def _indexed(pixels: Pixels) -> Image.Image:
     indexed.putpalette(palette + [0] * (3 * 256 - len(palette)))
     indexed.info["transparency"] = 255
     return indexed
+
+
+def _check_fits(count: int, image: Image.Image) -> None:
+    if count * image.width * image.height > MOST_MOVING_PIXELS:
+        size = told("{count} times {width} × {height}", count=count, width=image.width, height=image.height)
+        raise InvalidFile(
+            told("an animation has too many pixels: {size}", size=size),
+            told("take fewer or smaller pictures, at most {most} pixels, or MP4", most=MOST_MOVING_PIXELS),
+        )
 
 
 def _whole(durations: Sequence[float], unit: int) -> list[int]:

@@ -18,11 +18,21 @@ _GROUND = 255
 
 
 def write_video(path: Path, frames: Iterable[Pixels], durations: Sequence[float]) -> None:
-    """Write frames as video, on white where they are transparent, whole or not at all.
+    """Write frames as video, whole or not at all; as `video_of` makes it.
+
+    Raises
+    ------
+    InvalidFile
+        If PyAV is missing or the file cannot be written.
+    """
+    write_bytes(path, video_of(frames, durations))
+
+
+def video_of(frames: Iterable[Pixels], durations: Sequence[float]) -> bytes:
+    """Give frames as a video, on white where they are transparent.
 
     Parameters
     ----------
-    path : Path
     frames : iterable of (h, w, 4) arrays
         All of one size, as many as durations. They are taken one by one.
     durations : sequence of float
@@ -31,7 +41,7 @@ def write_video(path: Path, frames: Iterable[Pixels], durations: Sequence[float]
     Raises
     ------
     InvalidFile
-        If PyAV is missing or the file cannot be written.
+        If PyAV is missing.
     """
     try:
         import av  # noqa: PLC0415 -- an extra: most people need no video
@@ -53,7 +63,7 @@ def write_video(path: Path, frames: Iterable[Pixels], durations: Sequence[float]
                 started = True
             container.mux(stream.encode(av.VideoFrame.from_ndarray(picture, format="rgb24")))
         container.mux(stream.encode(None))
-    write_bytes(path, content.getvalue())
+    return content.getvalue()
 
 
 def _even(frame: Pixels) -> Pixels:
@@ -61,4 +71,4 @@ def _even(frame: Pixels) -> Pixels:
     alpha = frame[..., 3:] / 255
     mixed = np.rint(frame[..., :3] * alpha + _GROUND * (1 - alpha)).astype(np.uint8)
     height, width = mixed.shape[:2]
-    return np.pad(mixed, ((0, height % 2), (0, width % 2), (0, 0)), constant_values=_GROUND)
+    return np.pad(mixed, ((0, height % 2), (0, width % 2), (0, 0)), mode="edge")

@@ -28,10 +28,11 @@ def test_every_layout_is_written_in_each_of_its_formats(
     layout: Layout, ending: str, results: tuple[Result, ...], tmp_path: Path
 ) -> None:
     path = tmp_path / f"out{ending}"
-    write_choice(path, "Star", Choice(layout, "vertex", frames=5), [Stretch(results)])
+    write_choice(path, "Star", Choice(layout, "vertex", frames=5, seconds=0.2), [Stretch(results)])
     text = path.read_bytes().decode("latin-1")
     starts = {".svg": "<?xml", ".eps": "%!PS-Adobe-3.0 EPSF", ".ps": "%!PS-Adobe", ".pdf": "%PDF"}
-    assert text.startswith({**starts, ".json": "{", ".csv": "method,"}[ending])
+    pictures = {".png": "\x89PNG", ".apng": "\x89PNG", ".gif": "GIF89a", ".webp": "RIFF", ".mp4": "\0\0\0"}
+    assert text.startswith({**starts, **pictures, ".json": "{", ".csv": "method,"}[ending])
     assert ("<animate" in text) == (layout == "animation" and ending == ".svg")
     if ending == ".ps":
         assert text.count("%%Page:") == (5 if layout == "pages" else 1)
@@ -58,7 +59,7 @@ def test_an_ending_that_does_not_fit_is_refused_before_anything_is_written(
     results: tuple[Result, ...], tmp_path: Path
 ) -> None:
     with pytest.raises(InvalidFile, match="end it in"):
-        write_choice(tmp_path / "out.png", "Star", Choice("row", "vertex"), [Stretch(results)])
+        write_choice(tmp_path / "out.gif", "Star", Choice("row", "vertex"), [Stretch(results)])
     assert list(tmp_path.iterdir()) == []
 
 
@@ -98,7 +99,9 @@ def test_the_whole_sequence_takes_all_steps_as_long_as_each_lasts(
         ("pages", ".pdf", ["--frames", "3"]),
         ("sheet", ".svg", ["--layout", "sheet", "--method", "edge-angle"]),
         ("animation", ".svg", ["--layout", "animation", "--returning"]),
-        ("animation", ".json", ["--layout", "animation", "--duration", "2"]),
+        ("row", ".png", ["--frames", "3"]),
+        ("animation", ".gif", ["--duration", "0.4"]),
+        ("animation", ".json", ["--layout", "animation", "--duration", "0.4"]),
         ("numbers", ".csv", ["--frames", "4"]),
     ],
 )
@@ -112,7 +115,7 @@ def test_the_command_writes_the_same_bytes(
         frames=frames,
         t=0.25,
         marks="--marks" in words,
-        seconds=2.0 if "--duration" in words else 3.0,
+        seconds=0.4 if "--duration" in words else 3.0,
         returning="--returning" in words,
     )
     project = example("star")
