@@ -1,10 +1,8 @@
 """Move, scale and turn what is selected, by dragging."""
 
 from dataclasses import dataclass, replace
-from math import atan2, degrees
+from math import atan2, degrees, radians, remainder, tau
 from typing import ClassVar
-
-import numpy as np
 
 from app.model import transforms
 from app.model.document import Point
@@ -14,10 +12,13 @@ from app.model.texts import QT_TRANSLATE_NOOP
 from app.model.transforms import Box, box_of
 from app.tools.handles import CORNERS, TURN
 from app.tools.pick import distance
+from app.tools.settings import Snapping
 from app.tools.snapping import REACH, STEP, caught, ground_for_moving
 from app.tools.tool import Catch, Commit, Key, Overlay, Pointer, Response, Scene, Tool, as_point, refused_ring
 from starskel.errors import StarskelError
 from starskel.predicates import Floats
+
+ARROWS: dict[str, Point] = {"left": (-1, 0), "right": (1, 0), "up": (0, 1), "down": (0, -1)}
 
 
 @dataclass(frozen=True)
@@ -169,14 +170,7 @@ class Transforming(Tool):
         return ring
 
     def _angle(self, scene: Scene) -> float:
-        x, y = self.box.middle
-        here, there = self.pointer.at, self.start.at
-        angle = atan2(here[1] - y, here[0] - x) - atan2(there[1] - y, there[0] - x)
-        angle = float(np.remainder(angle + np.pi, 2 * np.pi) - np.pi)
-        even = STEP * round(angle / STEP)
-        near = abs(angle - even) * distance(here, (x, y)) <= self.pointer.radius * REACH
-        snaps = scene.settings.snapping.angles and near and not self.pointer.free
-        return even if snaps or self.pointer.shift else angle
+        return turned_by(self.start, self.pointer, self.box.middle, scene.settings.snapping)
 
     def _fixed(self) -> Point:
         """Give the corner or the side that stays."""
@@ -203,6 +197,28 @@ class Transforming(Tool):
             return same, same
         larger = max(abs(x), abs(y))
         return (larger if x >= 0 else -larger), (larger if y >= 0 else -larger)
+
+
+def turned_by(start: Pointer, pointer: Pointer, about: Point, snapping: Snapping, turn: float = 0.0) -> float:
+    """Give the angle by which a drag turns what was turned by `turn`: multiples of 15 degrees catch both."""
+    (x, y), here, there = about, pointer.at, start.at
+    angle = turn + atan2(here[1] - y, here[0] - x) - atan2(there[1] - y, there[0] - x)
+    even = STEP * round(angle / STEP)
+    near = abs(angle - even) * distance(here, about) <= pointer.radius * REACH
+    caught_by = (snapping.angles and near and not pointer.free) or pointer.shift
+    return remainder((even if caught_by else angle) - turn, tau)
+
+
+def key_way(key: Key) -> Point:
+    """Give how far an arrow key moves what is selected."""
+    x, y = ARROWS[key.name]
+    return x * key.step, y * key.step
+
+
+def key_turn(key: Key) -> tuple[float, float]:
+    """Give by which angle, in radians, or by which factor an arrow key turns or scales."""
+    x, y = ARROWS[key.name]
+    return -x * radians(15 if key.far else 1), (1.1 if key.far else 1.01) ** y
 
 
 def placed(scene: Scene, idle: Tool, selection: Selection, ring: Floats, name: str) -> Response:

@@ -1,22 +1,26 @@
-"""Place the picture behind a shape: drag it, or its corners."""
+"""Place the picture behind a shape: drag it, its handles, or the one that turns it."""
 
 from dataclasses import dataclass, replace
+from math import degrees
 from typing import ClassVar
 
+from app.model import placing
 from app.model.document import Document, Point
 from app.model.marks import Side
 from app.model.texts import QT_TRANSLATE_NOOP
-from app.model.transforms import Box
+from app.tools.handles import CORNERS, STALK, TURN
+from app.tools.moving import ARROWS, key_turn, key_way, turned_by
 from app.tools.pick import distance
+from app.tools.settings import Snapping
 from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Scene, Tool
 from starskel.files.picture import Picture
 
-CORNERS: dict[str, Point] = {
-    "south-west": (0, 0),
-    "south-east": (1, 0),
-    "north-east": (1, 1),
-    "north-west": (0, 1),
-}
+MOVE = QT_TRANSLATE_NOOP("Step", "Move picture")
+SCALE = QT_TRANSLATE_NOOP("Step", "Scale picture")
+TURNING = QT_TRANSLATE_NOOP("Step", "Turn picture")
+
+SMALLEST = 10.0
+"""Pixels that a dragged side of a picture keeps at least."""
 
 
 @dataclass(frozen=True)
@@ -29,40 +33,56 @@ class PictureTool(Tool):
     name: ClassVar[str] = "picture"
     hint: ClassVar[str] = QT_TRANSLATE_NOOP(
         "Hint",
-        "Drop a picture on a canvas to draw over it. Drag it or its corners to fit it, then lock it.",
+        "Drag the picture, its corners or sides to fit it, or the round handle to turn it. "
+        "Arrow keys move it, with Alt they turn and scale.",
     )
 
     def press(self, scene: Scene, pointer: Pointer) -> Response:
-        picture = _free(scene.document, pointer.side)
+        picture = free_picture(scene.document, pointer.side)
         if picture is None:
             return Response(self)
-        box = box_of_picture(picture)
-        handle = _corner_at(box, pointer)
-        if not handle and not box.contains(pointer.at):
+        handle = _handle_at(picture, pointer)
+        if not handle and not placing.holds(picture, pointer.at):
             return Response(self)
         return Response(HoldingPicture(pointer, handle, picture, picture))
 
     def move(self, scene: Scene, pointer: Pointer) -> Response:
-        picture = _free(scene.document, pointer.side)
-        handle = _corner_at(box_of_picture(picture), pointer) if picture is not None else ""
+        picture = free_picture(scene.document, pointer.side)
+        handle = _handle_at(picture, pointer) if picture is not None else ""
         return Response(PictureTool(pointer.side, handle))
 
     def key(self, scene: Scene, key: Key) -> Response:
-        picture = _free(scene.document, scene.selection.side)
-        if key.name not in ("delete", "backspace") or picture is None:
+        side = scene.selection.side
+        picture = free_picture(scene.document, side)
+        if picture is None:
             return Response(self)
-        return without_picture(scene, scene.selection.side)
+        if key.name in ("delete", "backspace"):
+            return put_picture(scene, side, None, QT_TRANSLATE_NOOP("Step", "Remove picture"))
+        return self._by_key(scene, picture, key)
+
+    def _by_key(self, scene: Scene, picture: Picture, key: Key) -> Response:
+        """Move, turn or scale; the same in a row counts as one step."""
+        side = scene.selection.side
+        if key.name not in ARROWS:
+            return Response(self)
+        if not key.alt:
+            moved = placing.moved(picture, key_way(key))
+            return put_picture(scene, side, moved, MOVE, joined=True)
+        angle, factor = key_turn(key)
+        if angle:
+            return put_picture(scene, side, placing.turned(picture, angle), TURNING, joined=True)
+        return put_picture(scene, side, placing.scaled(picture, (factor, factor)), SCALE, joined=True)
 
     def overlay(self, scene: Scene, side: Side) -> Overlay:
-        picture = _free(scene.document, side)
+        picture = free_picture(scene.document, side)
         if picture is None:
             return Overlay()
-        return Overlay(corners=box_of_picture(picture), handle=self.handle if side == self.side else "")
+        return Overlay(picture=picture, handles=True, handle=self.handle if side == self.side else "")
 
 
 @dataclass(frozen=True)
 class HoldingPicture(Tool):
-    """A picture dragged, or one of its corners, about the opposite one."""
+    """A picture dragged, or one of its handles."""
 
     start: Pointer
     handle: str
@@ -70,21 +90,26 @@ class HoldingPicture(Tool):
     placed: Picture
 
     name: ClassVar[str] = "picture"
-    hint: ClassVar[str] = QT_TRANSLATE_NOOP("Hint", "Release to leave the picture here; Esc puts it back.")
+    hint: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Hint",
+        "Release to leave the picture here; Esc puts it back. Shift frees the proportions, or steps by 15°.",
+    )
     busy: ClassVar[bool] = True
 
     def move(self, scene: Scene, pointer: Pointer) -> Response:
-        placed = self._scaled(pointer) if self.handle else self._moved(pointer)
-        return Response(replace(self, placed=placed))
+        return Response(replace(self, placed=self._placed(scene.settings.snapping, pointer)))
 
     def release(self, scene: Scene, pointer: Pointer) -> Response:
         side = self.start.side
-        document = scene.document.put_picture(side, self.placed)
-        return Response(PictureTool(side), Commit(document, QT_TRANSLATE_NOOP("Step", "Move picture")))
+        name = MOVE if not self.handle else TURNING if self.handle == TURN else SCALE
+        return put_picture(scene, side, self.placed, name)
 
     def preview(self, scene: Scene, pointer: Pointer) -> Document | None:
         """Say that the blends stay as they are."""
         return None
+
+    def key(self, scene: Scene, key: Key) -> Response:
+        return Response(self.cancel() if key.name in ("backspace", "delete") else self)
 
     def cancel(self) -> Tool:
         return PictureTool(self.start.side)
@@ -92,71 +117,50 @@ class HoldingPicture(Tool):
     def overlay(self, scene: Scene, side: Side) -> Overlay:
         if side != self.start.side:
             return Overlay()
-        return Overlay(picture=self.placed, corners=box_of_picture(self.placed), handle=self.handle)
+        readout = (placing.place_on(self.placed, 0.5, 0), self._figures()) if self.handle else None
+        return Overlay(picture=self.placed, handles=True, handle=self.handle, readout=readout)
 
-    def _moved(self, pointer: Pointer) -> Picture:
-        (x, y), at, start = self.picture.middle, pointer.at, self.start.at
-        return replace(self.picture, middle=(x + at[0] - start[0], y + at[1] - start[1]))
+    def _figures(self) -> str:
+        if self.handle == TURN:
+            return f"{degrees(self.placed.rotation):.4g}°"
+        width, height = self.placed.size
+        return f"{width:.4g} × {height:.4g}"
 
-    def _scaled(self, pointer: Pointer) -> Picture:
-        """Scale by how far the pointer is from the opposite corner."""
-        box, (x, y) = box_of_picture(self.picture), CORNERS[self.handle]
-        fixed, corner = box.at(1 - x, 1 - y), box.at(x, y)
-        factor = max(distance(fixed, pointer.at), 10 * pointer.pixel) / distance(fixed, corner)
-        width, height = (length * factor for length in self.picture.size)
-        middle = fixed[0] + (x - 0.5) * width, fixed[1] + (y - 0.5) * height
-        return replace(self.picture, middle=middle, size=(width, height))
+    def _placed(self, snapping: Snapping, pointer: Pointer) -> Picture:
+        picture, at, start = self.picture, pointer.at, self.start.at
+        if self.handle == TURN:
+            angle = turned_by(self.start, pointer, picture.middle, snapping, picture.rotation)
+            return placing.turned(picture, angle)
+        offset = at[0] - start[0], at[1] - start[1]
+        if not self.handle:
+            return placing.moved(picture, offset)
+        shares = CORNERS[self.handle]
+        x, y = placing.place_on(picture, *shares)
+        to = x + offset[0], y + offset[1]
+        return placing.stretched(picture, shares, to, SMALLEST * pointer.pixel, free=pointer.shift)
 
 
-def with_picture(scene: Scene, side: Side, picture: Picture) -> Response:
-    """Put a picture behind a shape, in hand to be placed."""
-    commit = Commit(scene.document.put_picture(side, picture), QT_TRANSLATE_NOOP("Step", "Place picture"))
+def put_picture(
+    scene: Scene, side: Side, picture: Picture | None, name: str, *, joined: bool = False
+) -> Response:
+    """Put a picture behind a shape, or take it away; joined, edits of that name in a row are one step."""
+    commit = Commit(scene.document.put_picture(side, picture), name, (name, side) if joined else None)
     return Response(PictureTool(side), commit)
 
 
-def without_picture(scene: Scene, side: Side) -> Response:
-    """Take the picture away from behind a shape."""
-    commit = Commit(scene.document.put_picture(side, None), QT_TRANSLATE_NOOP("Step", "Remove picture"))
-    return Response(PictureTool(side), commit)
-
-
-def fade_picture(scene: Scene, side: Side, opacity: float) -> Response:
-    """Show the picture more or less; changes in a row count as one step."""
-    picture = scene.document.picture(side)
-    if picture is None:
-        return Response(PictureTool(side))
-    document = scene.document.put_picture(side, replace(picture, opacity=opacity))
-    name = QT_TRANSLATE_NOOP("Step", "Picture opacity")
-    return Response(PictureTool(side), Commit(document, name, joins=("opacity", side)))
-
-
-def lock_picture(scene: Scene, side: Side, *, locked: bool) -> Response:
-    """Let the picture stay where it is, or be moved again."""
-    picture = scene.document.picture(side)
-    if picture is None:
-        return Response(PictureTool(side))
-    document = scene.document.put_picture(side, replace(picture, locked=locked))
-    return Response(PictureTool(side), Commit(document, QT_TRANSLATE_NOOP("Step", "Lock picture")))
-
-
-def box_of_picture(picture: Picture) -> Box:
-    """Give the box that a picture fills."""
-    (x, y), (width, height) = picture.middle, picture.size
-    return Box((x - width / 2, y - height / 2), (x + width / 2, y + height / 2))
-
-
-def _free(document: Document, side: Side) -> Picture | None:
+def free_picture(document: Document, side: Side) -> Picture | None:
     """Give the picture of a side where it may be moved."""
     picture = document.picture(side)
     return picture if picture is not None and not picture.locked else None
 
 
-def corner_places(box: Box) -> dict[str, Point]:
-    """Give where the handles of a picture are."""
-    return {name: box.at(x, y) for name, (x, y) in CORNERS.items()}
+def picture_handles(picture: Picture, pixel: float) -> dict[str, Point]:
+    """Give where the handles of a picture are, where a pixel has this size in document units."""
+    places = {name: placing.place_on(picture, x, y) for name, (x, y) in CORNERS.items()}
+    return {**places, TURN: placing.place_on(picture, 0.5, 1 + STALK * pixel / picture.size[1])}
 
 
-def _corner_at(box: Box, pointer: Pointer) -> str:
-    places = corner_places(box)
+def _handle_at(picture: Picture, pointer: Pointer) -> str:
+    places = picture_handles(picture, pointer.pixel)
     near = [name for name, place in places.items() if distance(place, pointer.at) <= pointer.radius]
     return min(near, key=lambda name: distance(places[name], pointer.at), default="")

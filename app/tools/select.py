@@ -1,7 +1,6 @@
 """Select, move, insert and delete vertices."""
 
 from dataclasses import dataclass, replace
-from math import radians
 from typing import ClassVar
 
 from app.model import transforms
@@ -11,13 +10,11 @@ from app.model.selection import Selection, everything
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.model.transforms import Box, box_of
 from app.tools.handles import handle_at, in_frame
-from app.tools.moving import Dragging, Transforming, placed
+from app.tools.moving import ARROWS, Dragging, Transforming, key_turn, key_way, placed
 from app.tools.pick import distance, edge_at, inside, nearest_vertex, part_under, vertex_at, vertices_in
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool, refused_ring
 from starskel.errors import StarskelError
 from starskel.predicates import Floats
-
-ARROWS: dict[str, Point] = {"left": (-1, 0), "right": (1, 0), "up": (0, 1), "down": (0, -1)}
 
 
 @dataclass(frozen=True)
@@ -97,8 +94,7 @@ class SelectTool(Tool):
         if key.name in ARROWS and key.alt:
             return self._transform(scene, key)
         if key.name in ARROWS:
-            x, y = ARROWS[key.name]
-            return self._nudge(scene, (x * key.step, y * key.step))
+            return self._nudge(scene, key_way(key))
         return Response(self)
 
     def overlay(self, scene: Scene, side: Side) -> Overlay:
@@ -138,13 +134,10 @@ class SelectTool(Tool):
         """Turn by left and right, scale by up and down, about the middle of the selection."""
         side, rows = scene.selection.side, sorted(scene.selection.vertices)
         ring = scene.document.vertices(side).copy()
-        x, y = ARROWS[key.name]
-        middle = box_of(ring[rows]).middle
-        if x:
-            angle = -x * radians(15 if key.far else 1)
+        middle, (angle, factor) = box_of(ring[rows]).middle, key_turn(key)
+        if angle:
             ring[rows] = transforms.turned(ring[rows], middle, angle)
             return self._joined(scene, ring, QT_TRANSLATE_NOOP("Step", "Turn"))
-        factor = (1.1 if key.far else 1.01) ** y
         ring[rows] = transforms.scaled(ring[rows], middle, (factor, factor))
         return self._joined(scene, ring, QT_TRANSLATE_NOOP("Step", "Scale"))
 

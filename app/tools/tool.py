@@ -160,8 +160,8 @@ class Overlay:
         A frame with handles around what is selected.
     picture : Picture or None
         The picture as the gesture would leave it, shown instead of the stored one.
-    corners : Box or None
-        The frame of a picture, with handles at its corners.
+    handles : bool
+        Whether the picture has a frame with handles.
     handle : str
         The handle that a press would take.
     catch : Catch or None
@@ -183,7 +183,7 @@ class Overlay:
     beside: tuple[Floats, ...] = ()
     frame: Box | None = None
     picture: Picture | None = None
-    corners: Box | None = None
+    handles: bool = False
     handle: str = ""
     catch: Catch | None = None
     readout: tuple[Point, str] | None = None

@@ -1299,6 +1299,14 @@
         <translation>Die Vorlage bleibt, wo sie ist</translation>
     </message>
     <message>
+        <source>&amp;Crop Picture to Shape</source>
+        <translation>Vorlage auf die Form Bild auf die Form &amp;zuschneidenamp;zuschneiden</translation>
+    </message>
+    <message>
+        <source>Show only what is inside the shape; blends never carry more than that</source>
+        <translation>Nur zeigen, was in der Form liegt; Überblendungen tragen nie mehr mit</translation>
+    </message>
+    <message>
         <source>R&amp;emove Picture</source>
         <translation>Vorlage e&amp;ntfernen</translation>
     </message>
@@ -2034,20 +2042,20 @@
         <translation>Loslassen wählt die Eckpunkte im Rahmen aus.</translation>
     </message>
     <message>
-        <source>Drop a picture on a canvas to draw over it. Drag it or its corners to fit it, then lock it.</source>
-        <translation>Ein Bild auf eine Fläche ziehen, um es nachzuzeichnen. Es oder seine Ecken ziehen, bis es passt, dann sperren.</translation>
-    </message>
-    <message>
-        <source>Release to leave the picture here; Esc puts it back.</source>
-        <translation>Loslassen lässt die Vorlage hier; Esc stellt sie zurück.</translation>
-    </message>
-    <message>
         <source>Click where the part without a partner grows from or shrinks to, on the canvas without it.</source>
         <translation>Auf der Fläche ohne das Teil dorthin klicken, woraus es wächst oder wohin es schrumpft.</translation>
     </message>
     <message>
         <source>Type the text above, then click to set it in the place of the shape on the canvas.</source>
         <translation>Den Text oben tippen, dann klicken: Er tritt an die Stelle der Form auf der Fläche.</translation>
+    </message>
+    <message>
+        <source>Drag the picture, its corners or sides to fit it, or the round handle to turn it. Arrow keys move it, with Alt they turn and scale.</source>
+        <translation>Vorlage, Ecken oder Seiten ziehen, um es einzupassen, am runden Griff drehen. Pfeiltasten verschieben, mit Alt drehen und skalieren sie.</translation>
+    </message>
+    <message>
+        <source>Release to leave the picture here; Esc puts it back. Shift frees the proportions, or steps by 15°.</source>
+        <translation>Loslassen lässt die Vorlage hier; Esc setzt sie zurück. Umschalt gibt die Proportionen frei oder dreht in Schritten von 15°.</translation>
     </message>
 </context>
 <context>
@@ -2228,42 +2236,6 @@
 <context>
     <name>Numbers</name>
     <message>
-        <source>X</source>
-        <translation>X</translation>
-    </message>
-    <message>
-        <source>Middle of the selection, from left to right</source>
-        <translation>Mitte der Auswahl, von links nach rechts</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <translation>Y</translation>
-    </message>
-    <message>
-        <source>Middle of the selection, upwards</source>
-        <translation>Mitte der Auswahl, nach oben</translation>
-    </message>
-    <message>
-        <source>W</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>Width of the selection</source>
-        <translation>Breite der Auswahl</translation>
-    </message>
-    <message>
-        <source>H</source>
-        <translation>H</translation>
-    </message>
-    <message>
-        <source>Height of the selection</source>
-        <translation>Höhe der Auswahl</translation>
-    </message>
-    <message>
-        <source>Turn</source>
-        <translation>Drehung</translation>
-    </message>
-    <message>
         <source>How far the selection was turned since it was selected</source>
         <translation>Wie weit die Auswahl gedreht wurde, seit sie getroffen wurde</translation>
     </message>
@@ -2417,6 +2389,49 @@
     <message>
         <source>Opacity</source>
         <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>How far the picture is turned, counter-clockwise from upright</source>
+        <translation>Wie weit die Vorlage gedreht ist, gegen den Uhrzeigersinn von aufrecht an</translation>
+    </message>
+</context>
+<context>
+    <name>Placing</name>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Middle, from left to right</source>
+        <translation>Mitte, von links nach rechts</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Middle, upwards</source>
+        <translation>Mitte, nach oben</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <translation>H</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
     </message>
 </context>
 <context>
@@ -2696,6 +2711,14 @@
         <translation>Vorlage verschieben</translation>
     </message>
     <message>
+        <source>Scale picture</source>
+        <translation>Vorlage skalieren</translation>
+    </message>
+    <message>
+        <source>Turn picture</source>
+        <translation>Vorlage drehen</translation>
+    </message>
+    <message>
         <source>Place picture</source>
         <translation>Vorlage hinterlegen</translation>
     </message>
@@ -2710,6 +2733,10 @@
     <message>
         <source>Lock picture</source>
         <translation>Vorlage sperren</translation>
+    </message>
+    <message>
+        <source>Crop picture</source>
+        <translation>Vorlage zuschneiden</translation>
     </message>
     <message>
         <source>Add key shape</source>

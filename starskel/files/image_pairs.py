@@ -126,4 +126,5 @@ def placed_image(picture: Picture, name: str = "the picture") -> PlacedImage:
     InvalidFile
         If it is damaged or too large; `name` is what errors call it.
     """
-    return PlacedImage.in_box(image_of(picture.content, name), picture.middle, picture.size)
+    pixels = image_of(picture.content, name)
+    return PlacedImage.in_box(pixels, picture.middle, picture.size, picture.rotation)

@@ -21,7 +21,7 @@ from starskel.files.step import Link, Step
 from starskel.polygon import Polygon
 
 FORMAT = "starskel-project"
-VERSION = 3
+VERSION = 4
 
 
 class _Header(msgspec.Struct, frozen=True):
@@ -76,7 +76,7 @@ class _Second(msgspec.Struct, frozen=True):
             _Step(step.duration, _EVEN, None, 0, True, _links(ends, step.marks))
             for ends, step in zip(pairwise(shapes), self.steps, strict=True)
         ]
-        return _Document(self.format, 3, self.name, shapes, steps, self.methods, self.description)
+        return _Document(self.format, VERSION, self.name, shapes, steps, self.methods, self.description)
 
 
 class _Part(msgspec.Struct, frozen=True):
@@ -118,7 +118,12 @@ class _Document(msgspec.Struct, frozen=True):
 
 
 _EVEN = ((1 / 3, 1 / 3), (2 / 3, 2 / 3))
-_VERSIONS: tuple[type[_First] | type[_Second] | type[_Document], ...] = (_First, _Second, _Document)
+_VERSIONS: tuple[type[_First] | type[_Second] | type[_Document], ...] = (
+    _First,
+    _Second,
+    _Document,  # version 3 turned and cropped no pictures
+    _Document,
+)
 
 
 def project_schema() -> dict[str, Any]:

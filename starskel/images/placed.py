@@ -52,11 +52,7 @@ class PlacedImage:
             In radians, counter-clockwise.
         """
         height, width = _checked_pixels(pixels).shape[:2]
-        turn = np.exp(1j * rotation)
-        right, down = turn * size[0] / width, -1j * turn * size[1] / height
-        corner = complex(*middle) - (right * width + down * height) / 2
-        columns = np.array([right, down, corner])
-        return cls(pixels, np.stack([columns.real, columns.imag]))
+        return cls(pixels, box_placement(middle, size, rotation) / (width, height, 1))
 
     def to_document(self, places: ArrayLike) -> Floats:
         """Give where (..., 2) places in the picture are in the document."""
@@ -71,6 +67,16 @@ class PlacedImage:
             [(d * moved.real - b * moved.imag) / doubled, (a * moved.imag - c * moved.real) / doubled],
             axis=-1,
         )
+
+
+def box_placement(middle: tuple[float, float], size: tuple[float, float], rotation: float = 0.0) -> Floats:
+    """Give the map, (2, 3), from shares of a picture's width to the right and height down to the document.
+
+    `middle`, `size` and `rotation` as for `PlacedImage.in_box`.
+    """
+    right, down = np.exp(1j * rotation) * size[0], -1j * np.exp(1j * rotation) * size[1]
+    columns = np.array([right, down, complex(*middle) - (right + down) / 2])
+    return np.stack([columns.real, columns.imag])
 
 
 def _checked_pixels(given: ArrayLike) -> Pixels:

@@ -19,8 +19,8 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.model.marks import Side
+from app.model.placing import corners_of
 from app.session import Session
-from app.tools.picture import box_of_picture
 from app.tools.tool import PICK, Key, Pointer
 from app.view.canvas.painter import CanvasPainter
 from app.view.painting.camera import Camera
@@ -131,8 +131,7 @@ class Canvas(QWidget):
         document = self._session.document
         extent = document.extent(self.side)
         if (picture := document.picture(self.side)) is not None:
-            box = box_of_picture(picture)
-            extent = np.concatenate([extent, [box.low, box.high]])
+            extent = np.concatenate([extent, corners_of(picture)])
         margin = min(MARGIN, LARGEST_MARGIN * min(self.width(), self.height()))
         self.camera = self.camera.fitting(extent, margin)
         self.update()

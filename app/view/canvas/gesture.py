@@ -7,14 +7,14 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter
 
 from app.model.document import Point
-from app.model.transforms import Box
 from app.tools.handles import TURN, handle_places
-from app.tools.picture import corner_places
+from app.tools.picture import picture_handles
 from app.tools.tool import Catch, Overlay
 from app.view.painting.camera import Camera
 from app.view.painting.drawing import faded, pen, point_of, polygon_of
 from app.view.painting.theme import Theme
 from app.view.wording import words
+from starskel.files.picture import Picture
 from starskel.predicates import Floats
 
 
@@ -37,8 +37,8 @@ class GesturePainter:
             self._paint_path(overlay)
         if overlay.frame is not None:
             self._paint_frame(overlay)
-        if overlay.corners is not None:
-            self._paint_corners(overlay.corners, overlay.handle)
+        if overlay.picture is not None and overlay.handles:
+            self._paint_picture_frame(overlay.picture, overlay.handle)
         if overlay.box is not None:
             self._paint_box(overlay.box)
         if overlay.catch is not None and overlay.catch.kind:
@@ -90,30 +90,27 @@ class GesturePainter:
     def _paint_frame(self, overlay: Overlay) -> None:
         """Show the frame around what is selected, squares to scale it, a circle on a stalk to turn it."""
         assert overlay.frame is not None
-        pixel = 1 / self._camera.scale
-        places = {name: self._place(at) for name, at in handle_places(overlay.frame, pixel).items()}
+        places = handle_places(overlay.frame, 1 / self._camera.scale)
+        self._paint_handles(places, overlay.handle, Qt.PenStyle.SolidLine)
+
+    def _paint_picture_frame(self, picture: Picture, held: str) -> None:
+        """Show the frame of a picture, dashed, with the same handles."""
+        self._paint_handles(picture_handles(picture, 1 / self._camera.scale), held, Qt.PenStyle.DashLine)
+
+    def _paint_handles(self, handles: dict[str, Point], held: str, line: Qt.PenStyle) -> None:
+        places = {name: self._place(at) for name, at in handles.items()}
+        corners = ("south-west", "south-east", "north-east", "north-west")
         self._painter.setBrush(Qt.BrushStyle.NoBrush)
-        self._painter.setPen(pen(faded(self._theme.accent, 0.6), 1.0))
-        self._painter.drawRect(QRectF(places["north-west"], places["south-east"]))
+        self._painter.setPen(pen(faded(self._theme.accent, 0.6), 1.0, line))
+        self._painter.drawPolygon([places[name] for name in corners])
         self._painter.drawLine(places["north"], places[TURN])
         self._painter.setPen(pen(self._theme.accent, 1.5))
         for name, place in places.items():
-            self._painter.setBrush(QColor(self._theme.accent if name == overlay.handle else self._theme.base))
+            self._painter.setBrush(QColor(self._theme.accent if name == held else self._theme.base))
             if name == TURN:
                 self._painter.drawEllipse(place, 5.0, 5.0)
             else:
                 self._painter.drawRect(QRectF(place.x() - 4, place.y() - 4, 8, 8))
-
-    def _paint_corners(self, box: Box, held: str) -> None:
-        """Show the frame of a picture, squares at its corners to scale it."""
-        self._painter.setBrush(Qt.BrushStyle.NoBrush)
-        self._painter.setPen(pen(self._theme.accent, 1.0, Qt.PenStyle.DashLine))
-        self._painter.drawRect(QRectF(self._place(box.low), self._place(box.high)).normalized())
-        self._painter.setPen(pen(self._theme.accent, 1.5))
-        for name, at in corner_places(box).items():
-            place = self._place(at)
-            self._painter.setBrush(QColor(self._theme.accent if name == held else self._theme.base))
-            self._painter.drawRect(QRectF(place.x() - 4, place.y() - 4, 8, 8))
 
     def _paint_box(self, box: tuple[Point, Point]) -> None:
         self._painter.setPen(pen(self._theme.accent, 1.0, Qt.PenStyle.DashLine))

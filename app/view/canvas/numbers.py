@@ -1,12 +1,14 @@
-"""Numbers of what is selected: where it is, how large, and by how much it was turned."""
+"""Numbers of what can be placed: where it is, how large, and by how much it is turned."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 from math import radians
 
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QDoubleSpinBox
 
+from app.model.document import Point
 from app.model.selection import Selection
 from app.session import Session
 from app.tools import numbers
@@ -14,49 +16,80 @@ from app.tools.tool import Response, Scene
 from app.view.canvas.option_pages import Page
 
 
-class Numbers(Page):
-    """Place, size and angle of the selection, to be read and to be set."""
+@dataclass(frozen=True)
+class Measured:
+    """What the fields show; None is greyed out.
+
+    Attributes
+    ----------
+    middle : (float, float)
+    width, height : float or None
+    degrees : float or None
+    """
+
+    middle: Point
+    width: float | None
+    height: float | None
+    degrees: float | None
+
+
+class Placing(Page):
+    """Place, size and angle of something, to be read and to be set."""
 
     def __init__(self, session: Session) -> None:
         super().__init__(session)
-        self._x = self._box(self.tr("X"), "x", self.tr("Middle of the selection, from left to right"))
-        self._y = self._box(self.tr("Y"), "y", self.tr("Middle of the selection, upwards"))
-        self._width = self._box(self.tr("W"), "width", self.tr("Width of the selection"))
-        self._height = self._box(self.tr("H"), "height", self.tr("Height of the selection"))
-        self._turn = self._box(
-            self.tr("Turn"), "turn", self.tr("How far the selection was turned since it was selected")
-        )
+        self._x = self._box(self.tr("X"), "x", self.tr("Middle, from left to right"))
+        self._y = self._box(self.tr("Y"), "y", self.tr("Middle, upwards"))
+        self._width = self._box(self.tr("W"), "width", self.tr("Width"))
+        self._height = self._box(self.tr("H"), "height", self.tr("Height"))
+        self._turn = self._box(self.tr("Turn"), "turn", self.turn_tip)
         self._turn.setSuffix("°")
         self._turn.setRange(-3600, 3600)
-        self._turned: tuple[Selection, float] = Selection(), 0.0
         for box in (self._x, self._y):
             box.valueChanged.connect(self._centre)
         for box in (self._width, self._height):
             box.valueChanged.connect(self._resize)
         self._turn.valueChanged.connect(self._rotate)
-        session.changed.connect(self.follow_selection)
-        self.follow_selection()
+        session.changed.connect(self.show_numbers)
+        self.show_numbers()
+
+    @property
+    def turn_tip(self) -> str:
+        """What the angle is measured from."""
+        raise NotImplementedError
+
+    def measured(self) -> Measured | None:
+        """Give the numbers as they are now, None where there is nothing."""
+        raise NotImplementedError
+
+    def centre(self, middle: Point) -> None:
+        """Put the middle somewhere else."""
+        raise NotImplementedError
+
+    def resize_to(self, size: Point) -> None:
+        """Change the size."""
+        raise NotImplementedError
+
+    def turn_to(self, degrees: float) -> None:
+        """Change the angle."""
+        raise NotImplementedError
 
     @Slot()
-    def follow_selection(self) -> None:
-        """Show the numbers of what is selected."""
-        scene = Scene(self.session.document, self.session.selection)
-        box = numbers.selected_box(scene)
-        many = len(scene.selection.vertices) > 1
-        if self._turned[0] != scene.selection:
-            self._turned = scene.selection, 0.0
-        x, y = box.middle if box else (0.0, 0.0)
-        width, height = box.size if box else (0.0, 0.0)
-        for field, value, usable in (
-            (self._x, x, box is not None),
-            (self._y, y, box is not None),
-            (self._width, width, width > 0),
-            (self._height, height, height > 0),
-            (self._turn, self._turned[1], many),
+    def show_numbers(self) -> None:
+        """Show the numbers as they are."""
+        found = self.measured()
+        x, y = found.middle if found else (None, None)
+        width, height, degrees = (found.width, found.height, found.degrees) if found else (None, None, None)
+        for field, value in (
+            (self._x, x),
+            (self._y, y),
+            (self._width, width),
+            (self._height, height),
+            (self._turn, degrees),
         ):
             field.blockSignals(True)  # what is shown is no edit
-            field.setEnabled(usable)
-            field.setValue(value)
+            field.setEnabled(value is not None)
+            field.setValue(value or 0.0)
             field.blockSignals(False)
 
     def _box(self, label: str, name: str, tip: str) -> QDoubleSpinBox:
@@ -73,19 +106,61 @@ class Numbers(Page):
 
     @Slot()
     def _centre(self) -> None:
-        self._edit(partial(numbers.centred, middle=(self._x.value(), self._y.value())))
+        found = self.measured()
+        if found is not None:
+            self.centre((self._typed(self._x, found.middle[0]), self._typed(self._y, found.middle[1])))
+        self.show_numbers()
 
     @Slot()
     def _resize(self) -> None:
-        self._edit(partial(numbers.sized, size=(self._width.value(), self._height.value())))
+        found = self.measured()
+        if found is not None:
+            width, height = found.width or 0.0, found.height or 0.0
+            self.resize_to((self._typed(self._width, width), self._typed(self._height, height)))
+        self.show_numbers()
+
+    def _typed(self, field: QDoubleSpinBox, value: float) -> float:
+        """Give what was typed into a field, or the value itself: what is shown of it is rounded."""
+        return field.value() if self.sender() is field else value
 
     @Slot()
     def _rotate(self) -> None:
+        self.turn_to(self._turn.value())
+        self.show_numbers()
+
+
+class Numbers(Placing):
+    """The numbers of the selection; it counts as not turned when it is selected."""
+
+    def __init__(self, session: Session) -> None:
+        self._turned: tuple[Selection, float] = Selection(), 0.0
+        super().__init__(session)
+
+    @property
+    def turn_tip(self) -> str:
+        return self.tr("How far the selection was turned since it was selected")
+
+    def measured(self) -> Measured | None:
+        scene = Scene(self.session.document, self.session.selection)
+        box = numbers.selected_box(scene)
+        if self._turned[0] != scene.selection:
+            self._turned = scene.selection, 0.0
+        if box is None:
+            return None
+        width, height = box.size
+        many = len(scene.selection.vertices) > 1
+        return Measured(box.middle, width or None, height or None, self._turned[1] if many else None)
+
+    def centre(self, middle: Point) -> None:
+        self._edit(partial(numbers.centred, middle=middle))
+
+    def resize_to(self, size: Point) -> None:
+        self._edit(partial(numbers.sized, size=size))
+
+    def turn_to(self, degrees: float) -> None:
         selection, former = self._turned
-        angle = self._turn.value()
-        self._turned = selection, angle
-        self._edit(partial(numbers.turned, angle=radians(angle - former)))
+        self._turned = selection, degrees
+        self._edit(partial(numbers.turned, angle=radians(degrees - former)))
 
     def _edit(self, verb: Callable[[Scene], Response]) -> None:
         self.session.edit(verb)
-        self.follow_selection()

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import partial
 from math import log
 from typing import Any
 
@@ -15,15 +14,12 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QSlider,
     QSpinBox,
-    QToolButton,
     QWidget,
 )
 
 from app.session import Session
-from app.tools.picture import fade_picture
 from app.tools.settings import Settings
 from app.view.canvas.lettering import lettering
-from app.view.commands.actions import Actions
 from app.view.wording.counts import COUNTS
 from app.view.wording.words import figure
 
@@ -145,44 +141,6 @@ class TolerancePage(Page):
         session = self.session
         count = len(session.document.vertices(session.selection.side))
         self._count.setText(COUNTS.vertices(count) if count else "")
-
-
-class PicturePage(Page):
-    """What there is to set of the picture behind the shape that was worked on last."""
-
-    def __init__(self, session: Session, actions: Actions) -> None:
-        super().__init__(session)
-        self._actions = actions
-        self._opacity = QSlider(Qt.Orientation.Horizontal)
-        self._opacity.setObjectName("opacity")
-        self._opacity.setRange(5, 100)
-        self._opacity.setFixedWidth(140)
-        self._buttons = {name: QToolButton() for name in ("picture-open", "picture-lock", "picture-remove")}
-        for name, button in self._buttons.items():
-            button.setDefaultAction(actions[name])
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            button.setAutoRaise(True)
-            self._row.insertWidget(self._row.count() - 1, button)
-        self.add(self.tr("Opacity"), self._opacity)
-        self._opacity.valueChanged.connect(self._fade)
-        session.changed.connect(self._show)
-        self._show()
-
-    @Slot(int)
-    def _fade(self, percent: int) -> None:
-        side = self.session.selection.side
-        self.session.edit(partial(fade_picture, side=side, opacity=percent / 100))
-
-    @Slot()
-    def _show(self) -> None:
-        picture = self.session.document.picture(self.session.selection.side)
-        for name in ("picture-lock", "picture-remove"):
-            self._actions[name].setEnabled(picture is not None)
-        self._actions["picture-lock"].setChecked(picture is not None and picture.locked)
-        self._opacity.setEnabled(picture is not None)
-        self._opacity.blockSignals(True)  # what is shown is no edit
-        self._opacity.setValue(round(100 * picture.opacity) if picture is not None else 50)
-        self._opacity.blockSignals(False)
 
 
 class TextPage(Page):

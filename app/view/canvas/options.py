@@ -7,7 +7,8 @@ from PySide6.QtWidgets import QDoubleSpinBox, QLabel, QSizePolicy, QStackedWidge
 
 from app.session import Session
 from app.view.canvas.numbers import Numbers
-from app.view.canvas.option_pages import Field, Page, PicturePage, TextPage, TolerancePage
+from app.view.canvas.option_pages import Field, Page, TextPage, TolerancePage
+from app.view.canvas.picture_page import PicturePage
 from app.view.commands.actions import Actions
 
 SWITCHES = {

@@ -10,8 +10,8 @@ from app.model.document import Point
 from app.model.marks import Side, end, mark_at
 from app.model.parts import stacked
 from app.session import Session
-from app.tools.picture import box_of_picture
 from app.tools.tool import Overlay, as_point
+from app.view.canvas.backdrop import paint_backdrop
 from app.view.canvas.gesture import GesturePainter, square
 from app.view.canvas.notes import (
     Shown,
@@ -27,7 +27,6 @@ from app.view.painting.display import Layers
 from app.view.painting.drawing import faded, lines_of, pen, point_of, polygon_of
 from app.view.painting.frame_layers import paint_numbers, paint_way
 from app.view.painting.parts import paint_region, regions
-from app.view.painting.pictures import image_of
 from app.view.painting.pins import Pin, cross_at, outward, paint_pins
 from app.view.painting.structure import paint_cut
 from app.view.painting.theme import theme_of
@@ -79,7 +78,7 @@ class CanvasPainter:
     def paint(self) -> None:
         """Paint everything, from the ground up."""
         self._painter.fillRect(self._frame(), QColor(self._theme.base))
-        self._paint_picture()
+        self._paint_backdrop()
         self._paint_grid()
         self._painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._paint_shape()
@@ -101,17 +100,16 @@ class CanvasPainter:
     def _frame(self) -> QRectF:
         return QRectF(0, 0, self._camera.width, self._camera.height)
 
-    def _paint_picture(self) -> None:
+    def _paint_backdrop(self) -> None:
         picture = self._overlay.picture or self._session.document.picture(self._side)
         if picture is None:
             return
-        box = box_of_picture(picture)
-        self._painter.save()
-        self._painter.setOpacity(picture.opacity)
-        self._painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
-        frame = QRectF(self._on_screen(box.low), self._on_screen(box.high)).normalized()
-        self._painter.drawImage(frame, image_of(picture.content))
-        self._painter.restore()
+        rings = [
+            self._camera.to_screen(ring.vertices) for ring in self._session.document.shape(self._side).rings
+        ]
+        if (part := self._session.document.part(self._side)) is not None:
+            rings[part] = self._screen
+        paint_backdrop(self._painter, self._camera, picture, rings, faintly=self._overlay.handles)
 
     def _paint_grid(self) -> None:
         """Show the grid where it catches the pointer; where its lines would run together, every fifth."""

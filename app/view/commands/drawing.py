@@ -196,6 +196,14 @@ PICTURE = (
         True,
     ),
     Command(
+        "picture-crop",
+        QT_TRANSLATE_NOOP("Command", "&Crop Picture to Shape"),
+        QT_TRANSLATE_NOOP("Command", "Show only what is inside the shape; blends never carry more than that"),
+        (),
+        "",
+        True,
+    ),
+    Command(
         "picture-remove",
         QT_TRANSLATE_NOOP("Command", "R&emove Picture"),
         QT_TRANSLATE_NOOP("Command", "Take the picture away from behind the shape"),

@@ -9,7 +9,8 @@ from PySide6.QtWidgets import QWidget
 
 from app.model.marks import Side
 from app.session import Session
-from app.tools.picture import PictureTool, lock_picture, with_picture, without_picture
+from app.tools.backdrop import crop_picture, lock_picture, with_picture, without_picture
+from app.tools.picture import PictureTool
 from app.tools.tool import Refusal, Response
 from app.view.canvas.canvas import Canvas
 from app.view.files.dialogs import picture_to_open
@@ -34,6 +35,7 @@ class Backgrounds(QObject):
         return {
             "picture-open": self._open,
             "picture-lock": self._lock,
+            "picture-crop": self._crop,
             "picture-remove": self._remove,
         }
 
@@ -56,6 +58,12 @@ class Backgrounds(QObject):
         picture = self._session.document.picture(self._side)
         if picture is not None:
             self._session.edit(partial(lock_picture, side=self._side, locked=not picture.locked))
+
+    @Slot()
+    def _crop(self) -> None:
+        picture = self._session.document.picture(self._side)
+        if picture is not None:
+            self._session.edit(partial(crop_picture, side=self._side, cropped=not picture.cropped))
 
     @Slot()
     def _remove(self) -> None:

@@ -62,10 +62,14 @@ def image_in(data: QMimeData) -> bytes | None:
     return None
 
 
-@lru_cache(maxsize=8)
-def image_of(content: bytes) -> QImage:
-    """Give the image to be painted; the last few are kept, for painting must not decode them each time."""
-    return QImage.fromData(content)
+@lru_cache(maxsize=16)
+def image_of(content: bytes, halvings: int = 0) -> QImage:
+    """Give the image to be painted, halved so often; the last few are kept, for painting must not wait."""
+    if not halvings:
+        return QImage.fromData(content)
+    larger = image_of(content, halvings - 1)
+    size = QSize(max(larger.width() // 2, 1), max(larger.height() // 2, 1))
+    return larger.scaled(size, mode=Qt.TransformationMode.SmoothTransformation)
 
 
 def _placed(content: bytes, image: QImage, camera: Camera) -> Picture:

@@ -1,3 +1,5 @@
+from dataclasses import replace
+from math import degrees
 from pathlib import Path
 
 import numpy as np
@@ -5,13 +7,15 @@ import pytest
 from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QSlider
+from PySide6.QtWidgets import QApplication, QDoubleSpinBox, QSlider
 
+from app.tools.picture import picture_handles
 from app.view.painting.camera import Camera
 from app.view.painting.pictures import LARGEST, picture_of
+from app.view.painting.theme import theme_of
 from starskel.errors import InvalidFile
 from starskel.files.picture import Picture
-from tests.app.driver import CONTROL, LEFT, PLAIN, SQUARE, Driver, name_file
+from tests.app.driver import CONTROL, LEFT, PLAIN, SHIFT, SQUARE, Driver, name_file
 
 CAMERA = Camera(400, 300, 2, (50, 50))
 
@@ -108,6 +112,106 @@ def test_it_is_dragged_and_scaled_about_the_opposite_corner(pictured: Driver) ->
     np.testing.assert_allclose(scaled.size, (width / 2, height / 2), atol=1.5)
     fixed = np.subtract(scaled.middle, np.array(scaled.size) / 2)
     np.testing.assert_allclose(fixed, (x - width / 2, y - height / 2))
+
+
+def handle(driver: Driver, name: str) -> tuple[float, float]:
+    """Give where a handle of the picture is, or where it is held in the middle."""
+    pixel = 1 / driver.window.canvases["source"].camera.scale
+    return {**picture_handles(picture(driver), pixel), "middle": picture(driver).middle}[name]
+
+
+@pytest.fixture
+def small(pictured: Driver) -> Driver:
+    """Have a picture of 40 by 20 in the middle of the canvas."""
+    set_number(pictured, "width", 40)
+    set_number(pictured, "height", 20)
+    return pictured
+
+
+def set_number(driver: Driver, name: str, value: float) -> None:
+    field = driver.window.options.pages["picture"].findChild(QDoubleSpinBox, name)
+    assert field is not None
+    field.setValue(value)
+
+
+def test_it_is_turned_by_the_round_handle_and_undone_as_one_step(small: Driver) -> None:
+    before, (x, y) = picture(small), picture(small).middle
+    small.drag("source", handle(small, "turn"), (x - 20, y + 18), (x - 30, y + 0.2))
+    turned = picture(small)
+    assert degrees(turned.rotation) == pytest.approx(90)
+    assert turned == replace(before, rotation=turned.rotation)
+    assert small.session.undoes == "Turn picture"
+    image = small.window.canvases["source"].grab().toImage()
+    pixel = small.window.canvases["source"].camera.to_screen(np.array([x, y + before.size[0] * 0.4]))
+    assert image.pixelColor(round(pixel[0]), round(pixel[1])).green() > 150  # where it was not upright
+    assert image.pixelColor(round(pixel[0]), round(pixel[1])).red() < 200
+    small.key(Qt.Key.Key_Z, CONTROL)
+    assert picture(small) == before
+
+
+def test_turned_its_sides_stretch_it_along_its_own_width(small: Driver) -> None:
+    (x, y), (width, height) = picture(small).middle, picture(small).size
+    small.drag("source", handle(small, "turn"), (x - 20, y + 18), (x - 30, y + 0.2))
+    top = handle(small, "east")
+    small.drag("source", top, (top[0], top[1] - 5), (top[0] + 3, top[1] - 12))
+    stretched = picture(small)
+    np.testing.assert_allclose(stretched.size, (width - 12, height), atol=1)
+    assert stretched.size[1] == height
+
+
+def test_escape_puts_it_back(pictured: Driver) -> None:
+    before = picture(pictured)
+    pictured.press("source", *handle(pictured, "turn"))
+    pictured.hover("source", 20, 20)
+    pictured.key(Qt.Key.Key_Escape)
+    pictured.release("source", 20, 20)
+    assert picture(pictured) == before
+
+
+def test_keys_move_turn_and_scale_it_each_as_one_step(pictured: Driver) -> None:
+    before, alt = picture(pictured), Qt.KeyboardModifier.AltModifier
+    for _ in range(3):
+        pictured.key(Qt.Key.Key_Left, alt)
+    assert degrees(picture(pictured).rotation) == pytest.approx(3)
+    pictured.key(Qt.Key.Key_Up, alt | SHIFT)
+    np.testing.assert_allclose(picture(pictured).size, np.multiply(before.size, 1.1))
+    pictured.key(Qt.Key.Key_Right, SHIFT)
+    assert picture(pictured).middle[0] > before.middle[0]
+    for _ in range(3):
+        pictured.key(Qt.Key.Key_Z, CONTROL)
+    assert picture(pictured) == before
+
+
+def test_numbers_place_it_and_what_is_not_typed_keeps_all_its_digits(pictured: Driver) -> None:
+    before = picture(pictured)
+    for name, value in (("x", 12.5), ("height", 30.0), ("turn", -45.0)):
+        set_number(pictured, name, value)
+    placed = picture(pictured)
+    assert placed.middle == (12.5, before.middle[1])
+    assert placed.size == (before.size[0], 30.0)
+    assert degrees(placed.rotation) == pytest.approx(-45)
+
+
+def test_cropped_it_is_seen_in_the_shape_alone(pictured: Driver) -> None:
+    base = QColor(theme_of(pictured.window.palette()).base)
+    pictured.draw("source", SQUARE)
+    (x, y), (width, _) = picture(pictured).middle, picture(pictured).size
+    pictured.window.actions_table["picture-crop"].trigger()
+    assert picture(pictured).cropped
+    faint = ground(pictured, x + width * 0.48, y)
+    pictured.key(Qt.Key.Key_S)
+    assert ground(pictured, x + width * 0.48, y) == base
+    assert faint != base  # while it is placed, one sees what is cut off
+    assert ground(pictured, x + 3, y).green() > ground(pictured, x + 3, y).red()
+    pictured.window.actions_table["picture-crop"].trigger()
+    assert ground(pictured, x + width * 0.48, y) != base
+
+
+def ground(driver: Driver, x: float, y: float) -> QColor:
+    """Give the colour at a place of the source canvas."""
+    canvas = driver.window.canvases["source"]
+    column, row = canvas.camera.to_screen(np.array([x, y]))
+    return canvas.grab().toImage().pixelColor(round(column), round(row))
 
 
 def test_locked_it_stays(pictured: Driver) -> None:

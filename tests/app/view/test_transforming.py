@@ -100,7 +100,7 @@ def test_arrow_keys_with_alt_turn_and_scale(square: Driver) -> None:
 
 
 def enter(driver: Driver, name: str, text: str) -> None:
-    field = driver.window.options.findChild(QDoubleSpinBox, name)
+    field = driver.window.options.pages["select"].findChild(QDoubleSpinBox, name)
     assert field is not None
     assert field.isEnabled()
     field.setFocus()
@@ -110,7 +110,7 @@ def enter(driver: Driver, name: str, text: str) -> None:
 
 
 def number(driver: Driver, name: str) -> float:
-    field = driver.window.options.findChild(QDoubleSpinBox, name)
+    field = driver.window.options.pages["select"].findChild(QDoubleSpinBox, name)
     assert field is not None
     return field.value()
 
@@ -137,7 +137,7 @@ def test_one_vertex_has_a_place_but_no_size(square: Driver) -> None:
     square.click("source", (90, 90))
     enter(square, "y", "60")
     assert square.corners("source")[2] == [90, 60]
-    field = square.window.options.findChild(QDoubleSpinBox, "width")
+    field = square.window.options.pages["select"].findChild(QDoubleSpinBox, "width")
     assert field is not None
     assert not field.isEnabled()
 

@@ -56,5 +56,8 @@ def test_pictures_of_a_project_lie_where_it_says(tmp_path):
     pair = of_project(tmp_path / "p.json", project, 0)
     assert pair.target is None
     assert pair.source.to_document([(0, 0), (40, 20)]).tolist() == [[-2, 5], [6, 1]]
+    upright = replace(project.shapes[0], picture=replace(picture, rotation=np.pi / 2))
+    turned = of_project(tmp_path / "p.json", replace(project, shapes=(upright, project.shapes[1])), 0).source
+    np.testing.assert_allclose(turned.to_document([(0, 0), (40, 20)]), [[0, -1], [4, 7]], atol=1e-12)
     with pytest.raises(InvalidFile, match="no picture behind shape A or B"):
         of_project(tmp_path / "p.json", Project("p", (KeyShape.of(square),) * 2, (Step.of(),)), 0)

@@ -7,6 +7,7 @@ import pytest
 from starskel.easing import Easing
 from starskel.errors import InvalidFile
 from starskel.files.key_shape import KeyShape, Part
+from starskel.files.picture import Picture
 from starskel.files.project import Project, letter
 from starskel.files.project_file import read_project, write_project
 from starskel.files.step import Link, Step
@@ -41,6 +42,11 @@ PARTS = Project(
     ),
     (Step((Link(0, 0, ((1, 1),)), Link(1, None, place=(1.5, 0.5)), Link(None, 1)), joined=False),),
 )
+TURNED = Project(
+    "turned",
+    (KeyShape((Part(SQUARE),), Picture(b"none", (2, 2), (4, 2), rotation=0.25, cropped=True)), SQUARED),
+    (Step((Link(0, 0),)),),
+)
 FILES = Path(__file__).parents[2] / "files"
 OLD = FILES / "project-version-1.json"
 
@@ -57,6 +63,7 @@ def path(tmp_path):
         LONG,
         STEERED,
         PARTS,
+        TURNED,
         Project(""),
         Project("half", (TRIANGULAR, EMPTY), (Step((Link(0, None),)),)),
         Project("other half", (EMPTY, TRIANGULAR), (Step((Link(None, 0),)),)),
@@ -91,7 +98,7 @@ def test_a_file_of_version_1_is_a_project_of_one_step(path):
     assert old.steps == (Step.of(tuple(map(tuple, rows["marks"]))),)
     assert list(old.methods) == rows["methods"]
     write_project(path, old)
-    assert json.loads(path.read_text())["version"] == 3
+    assert json.loads(path.read_text())["version"] == 4
     assert read_project(path) == old
 
 
@@ -106,6 +113,16 @@ def test_a_file_of_version_2_has_even_unsteered_steps(path):
     assert old.shapes[1].picture.size == (2.0, 1.0)
     write_project(path, old)
     assert read_project(path) == old
+
+
+def test_pictures_of_version_3_are_upright_and_whole(path):
+    write_project(path, TURNED)
+    document = json.loads(path.read_text())
+    document["version"] = 3
+    del document["shapes"][0]["picture"]["rotation"], document["shapes"][0]["picture"]["cropped"]
+    path.write_text(json.dumps(document))
+    picture = read_project(path).shapes[0].picture
+    assert picture == replace(TURNED.shapes[0].picture, rotation=0.0, cropped=False)
 
 
 def test_marks_of_every_step_follow_shapes_given_clockwise(path):
@@ -159,7 +176,7 @@ NESTED = (
     ("change", "message"),
     [
         ({"format": "polygon-pairs/1"}, 'has the format "polygon-pairs/1"; give .* "starskel-project"'),
-        ({"version": 4}, "of version 4; this program knows versions up to 3; open it with a newer starskel"),
+        ({"version": 5}, "of version 5; this program knows versions up to 4; open it with a newer starskel"),
         ({"version": 0}, "of version 0"),
         ({"version": 1}, "missing required field `source`"),
         ({"shapes": [shape([[0, 0], [1, 1]]), shape()]}, "drawing.json: shape A: a polygon of 2 points"),
