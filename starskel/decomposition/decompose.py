@@ -5,15 +5,15 @@ from collections.abc import Callable
 import numpy as np
 
 from starskel.correspondence import Correspondence
+from starskel.decomposition.board import Board
 from starskel.decomposition.kernel import star_points, star_vertices
-from starskel.decomposition.ladder import by_fan, climb, triangulated
+from starskel.decomposition.ladder import by_fan, climb
 from starskel.decomposition.links import links_of
 from starskel.decomposition.minimal import minimal_pieces
 from starskel.decomposition.pieces import Decomposition, Piece
 from starskel.decomposition.reduce import reduce
 from starskel.decomposition.rivals import by_rivals
 from starskel.decomposition.shape import shaped
-from starskel.decomposition.tiling import Tiling
 from starskel.decomposition.transfer import transfer
 from starskel.errors import NoDecomposition, StarskelError
 from starskel.outline import precedes
@@ -68,7 +68,7 @@ def decompose(
         raise StarskelError(f"there is no algorithm {algorithm!r}", f"take one of {', '.join(ALGORITHMS)}")
     tile = _minimal if algorithm == "minimal" else _convex
     return _decomposed(
-        pair, lambda tiling, whole, task: tile(tiling, whole, steiner, task), Task(progress, should_stop)
+        pair, lambda board, whole, task: tile(board, whole, steiner, task), Task(progress, should_stop)
     )
 
 
@@ -77,19 +77,18 @@ def decompose_quickly(pair: Correspondence, task: Task) -> Decomposition:
 
     Stuck cells are freed by fans alone, without trying other ways: that is several times as fast.
     """
-    return _decomposed(pair, lambda tiling, whole, task: climb(tiling, whole, by_fan, task), task)
+    return _decomposed(pair, lambda board, whole, task: climb(board, [whole], by_fan, task)[0], task)
 
 
 def _decomposed(
-    pair: Correspondence, tile: Callable[[Tiling, Piece, Task], Tiling], task: Task
+    pair: Correspondence, tile: Callable[[Board, Piece, Task], list[Piece]], task: Task
 ) -> Decomposition:
     task.reach(0)
-    whole = tuple(range(len(pair.source)))
-    swapped, start = _canonical(pair)
-    source, target = (points_of(np.roll(ring, -start, axis=0)) for ring in (pair.source, pair.target))
-    tiling = Tiling(target, source, (whole,)) if swapped else Tiling(source, target, (whole,))
-    tiling = tile(tiling, whole, task)
-    found = _finished(pair, tiling.swapped() if swapped else tiling, start, task.quiet)
+    swapped, start = way = _canonical(pair)
+    sides = [points_of(np.roll(ring, -start, axis=0)) for ring in (pair.source, pair.target)]
+    board = Board(*(sides[::-1] if swapped else sides))
+    pieces = tile(board, tuple(range(board.n)), task)
+    found = _finished(pair, board, pieces, way, task.quiet)
     task.reach(1)
     return found
 
@@ -109,75 +108,74 @@ def _canonical(pair: Correspondence) -> tuple[bool, int]:
     return swapped, starts[swapped]
 
 
-def _minimal(tiling: Tiling, whole: Piece, steiner: bool, task: Task) -> Tiling:
-    if tiling.is_star(whole, task.quiet):  # the tables would take O(n^3) to end with no fewer
-        return tiling
-    pieces = _fewest(tiling, whole, task.part(0, 0.5))
+def _minimal(board: Board, whole: Piece, steiner: bool, task: Task) -> list[Piece]:
+    if board.are_stars([whole], task.quiet)[0]:  # the tables would take O(n^3) to end with no fewer
+        return [whole]
+    pieces = _fewest(board, whole, task.part(0, 0.5))
     if pieces is not None:
-        return tiling.replace(whole, pieces)
+        return pieces
     if not steiner:
         raise NoDecomposition(
             "the two polygons have no compatible star decomposition without Steiner vertices",
             "allow Steiner vertices, or change the marks",
         )
-    tiling = climb(tiling, whole, by_rivals, task.part(0.5, 0.9))
-    return _polished(tiling, len(whole), task.part(0.9, 1))
+    (pieces,) = climb(board, [whole], by_rivals, task.part(0.5, 0.9))
+    return _polished(board, pieces, task.part(0.9, 1))
 
 
-def _convex(tiling: Tiling, whole: Piece, steiner: bool, task: Task) -> Tiling:
-    if tiling.is_star(whole, task.quiet):
-        return tiling
-    tiling = transfer(tiling, whole, task.part(0, 0.9))
-    tiling = _polished(tiling, len(whole), task.part(0.9, 1))
-    if not steiner and any(v >= len(whole) for piece in tiling.pieces for v in piece):
+def _convex(board: Board, whole: Piece, steiner: bool, task: Task) -> list[Piece]:
+    if board.are_stars([whole], task.quiet)[0]:
+        return [whole]
+    pieces = transfer(board, whole, task.part(0, 0.9))
+    pieces = _polished(board, pieces, task.part(0.9, 1))
+    if not steiner and any(v >= board.n for piece in pieces for v in piece):
         raise NoDecomposition(
             "the convex pieces of neither polygon can be carried over without Steiner vertices",
             'allow Steiner vertices, or take the algorithm "minimal"',
         )
-    return tiling
+    return pieces
 
 
-def _polished(tiling: Tiling, n: int, task: Task) -> Tiling:
+def _polished(board: Board, pieces: list[Piece], task: Task) -> list[Piece]:
     """Drop Steiner vertices and pieces that are not needed; vertices in better places free more of them."""
-    tiling = reduce(tiling, n, task.quiet)
-    tiling = shaped(tiling, n, task.quiet)
-    return reduce(tiling, n, task)
+    (pieces,) = reduce(board, [pieces], task.quiet)
+    pieces = shaped(board, pieces, task.quiet)
+    (pieces,) = reduce(board, [pieces], task)
+    return pieces
 
 
-def _fewest(tiling: Tiling, whole: Piece, task: Task) -> list[Piece] | None:
-    task.quiet.reach(0)
-    grounds = triangulated(tiling, whole, task.quiet)
+def _fewest(board: Board, whole: Piece, task: Task) -> list[Piece] | None:
+    grounds = board.triangulated([whole], task.quiet)
     return minimal_pieces(links_of(*grounds, task.quiet), task)
 
 
-def _finished(pair: Correspondence, tiling: Tiling, start: int, task: Task) -> Decomposition:
+def _finished(
+    pair: Correspondence, board: Board, pieces: list[Piece], way: tuple[bool, int], task: Task
+) -> Decomposition:
     """Count rows from the pair's own, drop the Steiner vertices that no piece uses, and find the origins."""
-    n = len(pair.source)
-    rows = [*((v - start) % n for v in range(n)), *sorted({v for p in tiling.pieces for v in p if v >= n})]
+    (swapped, start), n = way, board.n
+    rows = [*((v - start) % n for v in range(n)), *sorted({v for p in pieces for v in p if v >= n})]
     name = {old: new for new, old in enumerate(rows)}
-    return Decomposition(
-        pair,
-        tiling.source.coordinates[rows],
-        tiling.target.coordinates[rows],
-        tuple(tuple(name[v] for v in piece) for piece in tiling.pieces),
-        *_origins(tiling, task),
-    )
+    named = tuple(tuple(name[v] for v in piece) for piece in pieces)
+    source, target = (side.coordinates[rows] for side in board.sides[:: -1 if swapped else 1])
+    source_origins, target_origins = _origins(board, pieces, task)[:: -1 if swapped else 1]
+    return Decomposition(pair, source, target, named, source_origins, target_origins)
 
 
-def _origins(tiling: Tiling, task: Task) -> tuple[Floats, Floats]:
+def _origins(board: Board, pieces: list[Piece], task: Task) -> list[Floats]:
     """Give the means of the common star vertices (paper, section 2.4.2), or the centroids of both kernels."""
-    rings = Rings.of(tiling.pieces)
-    stars = np.flatnonzero(star_vertices((tiling.source, tiling.target), rings, task))
-    common = np.bincount(rings.owner[stars], minlength=len(tiling.pieces))
+    rings = Rings.of(pieces)
+    stars = np.flatnonzero(star_vertices(board.sides, rings, task))
+    common = np.bincount(rings.owner[stars], minlength=len(pieces))
     without = np.flatnonzero(common == 0)
-    left = Rings.of([tiling.pieces[k] for k in without.tolist()])
+    left = Rings.of([pieces[k] for k in without.tolist()])
     origins = []
-    for side in (tiling.source, tiling.target):
-        places = np.zeros((len(tiling.pieces), 2))
+    for side in board.sides:
+        places = np.zeros((len(pieces), 2))
         np.add.at(places, rings.owner[stars], side.coordinates[rings.rows[stars]])
         places /= np.maximum(common, 1)[:, None]
         places[without], areas = star_points(side, left, task)
         if not (areas > 0).all():
             raise AssertionError("a piece is not star-shaped")
         origins.append(places)
-    return origins[0], origins[1]
+    return origins

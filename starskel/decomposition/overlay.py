@@ -12,18 +12,18 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from starskel.decomposition.board import Board
 from starskel.decomposition.pieces import Piece
-from starskel.decomposition.tiling import Tiling
 from starskel.predicates import Floats, Indices
 from starskel.triangulation import Triangulation
 
 
-def overlay(tiling: Tiling, piece: Piece, source: Triangulation, target: Triangulation) -> Tiling:
-    """Replace a piece, given triangulated in both polygons, by pieces that are convex in both.
+def overlay(board: Board, cell: Piece, source: Triangulation, target: Triangulation) -> list[Piece]:
+    """Tile a cell, given triangulated in both polygons, by pieces that are convex in both.
 
     Each crossing of diagonals becomes a Steiner vertex.
     """
-    n = len(piece)
+    n = len(cell)
     first, second = _chords(source), _chords(target)
     crossing = _crossing(first, second)
     count = int(crossing.sum())
@@ -32,18 +32,19 @@ def overlay(tiling: Tiling, piece: Piece, source: Triangulation, target: Triangu
     across = _lines(n, second, first, names.T)
     drawn = {(line[0], line[-1]) for line in lines if len(line) == 2}  # chords of both triangulations
     faces = _faces(n, [*lines, *(line for line in across if (line[0], line[-1]) not in drawn)])
-    rows = [*piece, *(len(tiling.source.coordinates) + np.arange(count)).tolist()]
-    return tiling.replace(
-        piece,
-        [tuple(rows[v] for v in face) for face in faces],
-        _spread(source.vertices, lines, count),
-        _spread(target.vertices, across, count),
-    )
+    placed = board.place(_spread(source.vertices, lines, count), _spread(target.vertices, across, count))
+    rows = [*cell, *placed]
+    return [tuple(rows[v] for v in face) for face in faces]
 
 
-def crossings(source: Triangulation, target: Triangulation) -> int:
-    """Count the Steiner vertices that an overlay of two triangulations needs."""
-    return int(_crossing(_chords(source), _chords(target)).sum())
+def crossings(source: Triangulation, target: Triangulation) -> list[int]:
+    """Count for each ring the Steiner vertices that an overlay of its two triangulations needs."""
+    sides = []
+    for ground in (source, target):
+        found = _chords(ground)
+        ends = np.searchsorted(found[:, 0], ground.rings.last)
+        sides.append(np.split(found, ends[:-1]))
+    return [int(_crossing(*both).sum()) for both in zip(*sides, strict=True)]
 
 
 def _chords(ground: Triangulation) -> Indices:

@@ -1,5 +1,6 @@
 """What a decomposition is."""
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -43,3 +44,8 @@ class Decomposition:
 def edges_of(piece: Piece) -> list[tuple[int, int]]:
     """Give the edges of a piece, from each vertex to the next."""
     return list(pairwise((*piece, piece[0])))
+
+
+def cost(pieces: Collection[Piece]) -> tuple[int, int]:
+    """Give the price of pieces: the vertices they use, Steiner ones among them, then their number."""
+    return len(set().union(*pieces)), len(pieces)

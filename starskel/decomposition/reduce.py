@@ -4,120 +4,99 @@ Both moves keep the edges cancelling in pairs, so the pieces go on tiling both p
 them is simple and counter-clockwise in both (see verify.py).
 """
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
 import numpy as np
 
+from starskel.decomposition.board import Board
 from starskel.decomposition.pieces import Piece, edges_of
-from starskel.decomposition.tiling import Tiling
 from starskel.task import Task
 
-AT_ONCE = 1 << 12
-"""Vertices of rings that are looked at between two questions whether to stop."""
 
-SIDES_AT_ONCE = 1 << 16
-"""Pairs of a vertex and an edge that are looked at between two such questions."""
+def reduce(board: Board, tilings: Sequence[list[Piece]], task: Task) -> list[list[Piece]]:
+    """Give tilings of the same polygons or cells with fewer, or as many, Steiner vertices and pieces.
 
-
-def reduce(tiling: Tiling, n: int, task: Task) -> Tiling:
-    """Give a tiling of the same two n-gons with fewer, or as many, Steiner vertices and pieces.
-
-    Points that no piece uses stay behind.
+    The tilings are independent of each other. They are worked on together, in rounds of moves that do not
+    touch one another, so that all rings of a round can be looked at at once.
     """
-    reduction = _Reduction(tiling, n, task)
-    while reduction.merge() | reduction.collapse():
-        pass
-    return Tiling(tiling.source, tiling.target, tuple(reduction.pieces))
+    every = [_Reduction(board, pieces) for pieces in tilings]
+    changing = every
+    while changing:
+        merged = _merge(board, changing, task)
+        collapsed = _collapse(board, changing, task)
+        changing = [
+            reduction for reduction, *any_ in zip(changing, merged, collapsed, strict=True) if any(any_)
+        ]
+    return [list(reduction.pieces) for reduction in every]
+
+
+def _merge(board: Board, reductions: list["_Reduction"], task: Task) -> list[bool]:
+    """Merge neighbours whose union is a star piece, if only from a vertex, the longest edges first."""
+    unions = [reduction.unions() for reduction in reductions]
+    rings = [ring for found in unions for _, ring in found]
+    stars = dict(zip(rings, board.have_kernels(rings, task), strict=True))
+    left = [ring for ring in rings if not stars[ring]]
+    stars.update(zip(left, board.have_common_star_vertices(left, task), strict=True))
+    moves = [[(pair, [ring]) for pair, ring in found if stars[ring]] for found in unions]
+    return [reduction.make(found) for reduction, found in zip(reductions, moves, strict=True)]
+
+
+def _collapse(board: Board, reductions: list["_Reduction"], task: Task) -> list[bool]:
+    """Collapse Steiner vertices into neighbours."""
+    collapses = [reduction.collapses() for reduction in reductions]
+    rings = [ring for found in collapses for _, shrunk in found for ring in shrunk]
+    stars = dict(zip(rings, board.have_kernels(rings, task), strict=True))
+    moves = [[move for move in found if all(stars[ring] for ring in move[1])] for found in collapses]
+    return [reduction.make(found) for reduction, found in zip(reductions, moves, strict=True)]
 
 
 class _Reduction:
-    """Pieces in change, in rounds of moves that do not touch one another.
+    """Pieces in change. What may become of some of them is remembered."""
 
-    What a round may ask about rings is found out for all of them together, and remembered.
-    """
-
-    def __init__(self, tiling: Tiling, n: int, task: Task) -> None:
-        self.pieces = dict.fromkeys(tiling.pieces)
-        self._tiling = tiling
-        self._n = n
-        self._task = task
-        self._stars: dict[Piece, bool] = {}
-        self._common: dict[Piece, bool] = {}
+    def __init__(self, board: Board, pieces: Iterable[Piece]) -> None:
+        self.pieces = dict.fromkeys(pieces)
+        self._board = board
         self._unions: dict[tuple[Piece, Piece], Piece | None] = {}
         self._shrunk: dict[tuple[int, tuple[Piece, ...]], list[list[Piece]]] = {}
 
-    def merge(self) -> bool:
-        """Merge neighbours whose union is a star piece, if only from a vertex, the longest edges first."""
-        neighbours = _neighbouring(self._tiling, self.pieces)
+    def unions(self) -> list[tuple[tuple[Piece, Piece], Piece]]:
+        """Give the rings round neighbours, those across the longest edges first."""
+        neighbours = _neighbouring(self._board, self.pieces)
         for pair in neighbours:
             if pair not in self._unions:
                 self._unions[pair] = union(*pair)
-        unions = [self._unions[pair] for pair in neighbours]
-        self._look_at(ring for ring in unions if ring is not None)
-        self._look_for_common_vertices(ring for ring in unions if ring is not None and not self._stars[ring])
-        merged = False
-        for pair, ring in zip(neighbours, unions, strict=True):
-            if ring is not None and (self._stars[ring] or self._common[ring]):
-                merged |= self._replace(pair, [ring])
-        return merged
+        return [(pair, ring) for pair in neighbours if (ring := self._unions[pair]) is not None]
 
-    def collapse(self) -> bool:
-        """Collapse Steiner vertices into neighbours."""
+    def collapses(self) -> list[tuple[list[Piece], list[Piece]]]:
+        """Give what becomes of the pieces round Steiner vertices where these collapse into neighbours."""
         around: dict[int, list[Piece]] = {}
         for piece in self.pieces:
             for vertex in piece:
-                if vertex >= self._n:
+                if vertex >= self._board.n:
                     around.setdefault(vertex, []).append(piece)
-        moves = [
+        return [
             (pieces, shrunk)
             for vertex, pieces in sorted(around.items(), reverse=True)
             for shrunk in self._collapses(vertex, pieces)
         ]
-        self._look_at(ring for _, shrunk in moves for ring in shrunk)
-        collapsed = False
-        for pieces, shrunk in moves:
-            if all(self._stars[ring] for ring in shrunk):
-                collapsed |= self._replace(pieces, shrunk)
-        return collapsed
+
+    def make(self, moves: Iterable[tuple[Iterable[Piece], Iterable[Piece]]]) -> bool:
+        """Put pieces in the place of others, move by move, unless these are gone already."""
+        made = False
+        for before, after in moves:
+            if all(piece in self.pieces for piece in before):
+                for piece in before:
+                    del self.pieces[piece]
+                self.pieces.update(dict.fromkeys(after))
+                made = True
+        return made
 
     def _collapses(self, vertex: int, pieces: list[Piece]) -> list[list[Piece]]:
         key = vertex, tuple(pieces)
         if key not in self._shrunk:
             self._shrunk[key] = _collapses(vertex, pieces)
         return self._shrunk[key]
-
-    def _replace(self, before: Iterable[Piece], after: Iterable[Piece]) -> bool:
-        """Put pieces in the place of others, unless one of these is gone already."""
-        if not all(piece in self.pieces for piece in before):
-            return False
-        for piece in before:
-            del self.pieces[piece]
-        self.pieces.update(dict.fromkeys(after))
-        return True
-
-    def _look_at(self, rings: Iterable[Piece]) -> None:
-        """Find out which rings are simple, counter-clockwise and star-shaped in both polygons."""
-        for part in self._parts({ring for ring in rings if ring not in self._stars}, AT_ONCE, len):
-            stars = self._tiling.have_kernels(part, self._task.quiet)
-            self._stars.update(zip(part, stars.tolist(), strict=True))
-
-    def _look_for_common_vertices(self, rings: Iterable[Piece]) -> None:
-        """Find out which unions of pieces are seen whole from a common vertex."""
-        unknown = {ring for ring in rings if ring not in self._common}
-        for part in self._parts(unknown, SIDES_AT_ONCE, lambda ring: len(ring) ** 2):
-            common = self._tiling.have_common_star_vertices(part, self._task.quiet)
-            self._common.update(zip(part, common.tolist(), strict=True))
-
-    def _parts(self, rings: set[Piece], most: int, work: Callable[[Piece], int]) -> Iterator[list[Piece]]:
-        """Cut rings, the short ones first, into handfuls of so much work or of one ring."""
-        waiting = sorted(rings, key=lambda ring: (len(ring), ring))
-        while waiting:
-            self._task.reach(0)
-            ends = np.cumsum([work(ring) for ring in waiting])
-            count = 1 + int(np.searchsorted(ends[1:], most))
-            yield waiting[:count]
-            waiting = waiting[count:]
 
 
 def _collapses(vertex: int, around: list[Piece]) -> list[list[Piece]]:
@@ -144,12 +123,12 @@ def _renamed(piece: Piece, vertex: int, name: int) -> Piece | None:
     return _from_least(kept) if len(kept) > 2 else ()
 
 
-def _neighbouring(tiling: Tiling, pieces: Iterable[Piece]) -> list[tuple[Piece, Piece]]:
+def _neighbouring(board: Board, pieces: Iterable[Piece]) -> list[tuple[Piece, Piece]]:
     owner = {edge: piece for piece in pieces for edge in edges_of(piece)}
     shared = sorted((a, b) for a, b in owner if a < b and (b, a) in owner)
     ends = np.array(shared, dtype=np.intp).reshape(-1, 2)
     length = np.zeros(len(ends))
-    for side in (tiling.source, tiling.target):
+    for side in board.sides:
         length += np.hypot(*(side.coordinates[ends[:, 0]] - side.coordinates[ends[:, 1]]).T)
     longest_first = np.argsort(-length, kind="stable")
     return [(owner[a, b], owner[b, a]) for a, b in (shared[i] for i in longest_first)]

@@ -1,19 +1,19 @@
-"""Freeing a stuck cell in several ways, to keep the one with the fewest Steiner vertices.
+"""Freeing stuck cells in several ways, to keep the one with the fewest Steiner vertices.
 
 Small cells are freed by fans round one Steiner vertex at several places, larger ones by convex pieces of one
 polygon carried over to the other as well: neither way is always the better.
 """
 
-from collections.abc import Iterator
+from collections.abc import Sequence
 from contextlib import suppress
 
-from starskel.decomposition.ladder import by_fan, by_fans, cheapest
-from starskel.decomposition.pieces import Piece
+from starskel.decomposition.board import Board
+from starskel.decomposition.ladder import by_fan, cheapest, spread
+from starskel.decomposition.pieces import Piece, cost
 from starskel.decomposition.reduce import reduce
-from starskel.decomposition.tiling import Tiling
+from starskel.decomposition.steiner import Fan, Stuck, survey
 from starskel.decomposition.transfer import transfer
 from starskel.task import Task
-from starskel.triangulation import Grounds
 
 MOST_TRIED = 6
 """Places of a Steiner vertex that are tried to the end before one is chosen, in small cells."""
@@ -38,48 +38,81 @@ class _TooManyError(Exception):
     """Fans need more Steiner vertices than are worth it."""
 
 
-def by_rivals(tiling: Tiling, grounds: Grounds, task: Task) -> Tiling:
-    """Free a stuck cell, the only piece of a tiling, in the cheapest of several ways."""
-    (cell,) = tiling.pieces
-    n = len(tiling.source.coordinates)
-    found: list[Tiling] = []
-    for rival in _fanned(tiling, grounds, task):
-        _admit(rival, found, cell, n, task)
-        if _placed(found[0], cell) == 1:  # a stuck cell needs one at least
-            break
-    if len(cell) > SMALL and not any(FEW * _placed(fan, cell) <= len(cell) for fan in found):
-        _admit(transfer(tiling, cell, task.quiet), found, cell, n, task)
-    return cheapest(tiling, grounds, found)
+class _Contest:
+    """A stuck cell and the ways to free it that were found, reduced, the best first."""
+
+    def __init__(self, stuck: Stuck) -> None:
+        self.stuck = stuck
+        self.found: list[list[Piece]] = []
+
+    @property
+    def fewest(self) -> int | None:
+        """The Steiner vertices of the best way."""
+        return self.placed(self.found[0]) if self.found else None
+
+    def placed(self, pieces: list[Piece]) -> int:
+        """Give how many Steiner vertices free the cell in a way."""
+        return cost(pieces)[0] - len(self.stuck.ring)
 
 
-def _fanned(tiling: Tiling, grounds: Grounds, task: Task) -> Iterator[Tiling]:
-    """Give the ways that begin with a fan; in large cells they are given up once they cost too much."""
-    (cell,) = tiling.pieces
-    tried = max(1, min(MOST_TRIED, TRIED_VERTICES // len(cell)))
-    if len(cell) <= LARGE:
-        yield from by_fans(tiling, grounds, tried, by_fan, task)
-        return
-    most = len(tiling.source.coordinates) + len(cell) // FEW
+def by_rivals(board: Board, cells: list[Piece], task: Task) -> list[list[Piece]]:
+    """Free stuck cells, each in the cheapest of several ways."""
+    tried = [max(1, min(MOST_TRIED, TRIED_VERTICES // len(cell))) for cell in cells]
+    contests = [_Contest(stuck) for stuck in survey(board, cells, tried, task.quiet)]
+    task.reach(0.1)
+    small = [contest for contest in contests if len(contest.stuck.ring) <= LARGE]
+    _fan_out(board, [(c, fan) for c in small for fan in c.stuck.fans[:1]], task.quiet)
+    open_still = [c for c in small if c.fewest != 1]  # a stuck cell needs one at least
+    _fan_out(board, [(c, fan) for c in open_still for fan in c.stuck.fans[1:]], task.quiet)
+    for at, contest in enumerate(contests):
+        task.reach(0.3 + 0.7 * at / len(contests))
+        if len(contest.stuck.ring) > LARGE:
+            with suppress(_TooManyError):
+                _admit(board, [(contest, _few(board, contest.stuck, task.quiet))], task)
+        _carry_over(board, contest, task.quiet)
+    return [cheapest(board, contest.stuck, contest.found, task.quiet) for contest in contests]
 
-    def by_few(tiling: Tiling, grounds: Grounds, task: Task) -> Tiling:
-        if len(tiling.source.coordinates) >= most:
+
+def _fan_out(board: Board, fans: list[tuple[_Contest, Fan]], task: Task) -> None:
+    """Free cells beginning with fans, all of them at once."""
+    rings = [(contest.stuck.ring, fan) for contest, fan in fans]
+    tiled = spread(board, rings, by_fan, task)
+    _admit(board, [(contest, pieces) for (contest, _), pieces in zip(fans, tiled, strict=True)], task)
+
+
+def _few(board: Board, stuck: Stuck, task: Task) -> list[Piece]:
+    """Free a large cell by fans, as long as these are few."""
+    if not stuck.fans:
+        raise _TooManyError
+    most = len(board) + len(stuck.ring) // FEW
+
+    def free(board: Board, cells: list[Piece], task: Task) -> list[list[Piece]]:
+        if len(board) + len(cells) > most:
             raise _TooManyError
-        freed = cheapest(tiling, grounds, list(by_fans(tiling, grounds, 1, by_few, task)))
-        if len(freed.source.coordinates) > most:  # an overlay
+        looked = survey(board, cells, [1] * len(cells), task)
+        if len(board) + sum(1 if cell.fans else cell.crossings for cell in looked) > most:
             raise _TooManyError
-        return freed
+        fanned = iter(spread(board, [(cell.ring, cell.fans[0]) for cell in looked if cell.fans], free, task))
+        return [cheapest(board, cell, [next(fanned)] if cell.fans else [], task) for cell in looked]
 
-    with suppress(_TooManyError):
-        yield from by_fans(tiling, grounds, tried, by_few, task)
-
-
-def _admit(rival: Tiling, found: list[Tiling], cell: Piece, n: int, task: Task) -> None:
-    """Reduce a rival, unless it is hopeless, and put it among those found, the best first."""
-    if not found or _placed(rival, cell) <= HOPELESS * _placed(found[0], cell):
-        found.append(reduce(rival, n, task))
-        found.sort(key=Tiling.cost)
+    return spread(board, [(stuck.ring, stuck.fans[0])], free, task)[0]
 
 
-def _placed(tiling: Tiling, cell: Piece) -> int:
-    """Give how many Steiner vertices free the cell."""
-    return tiling.cost()[0] - len(cell)
+def _carry_over(board: Board, contest: _Contest, task: Task) -> None:
+    """Carry convex pieces over where the cell is large and fans need many Steiner vertices."""
+    n = len(contest.stuck.ring)
+    if n > SMALL and (contest.fewest is None or FEW * contest.fewest > n):
+        _admit(board, [(contest, transfer(board, contest.stuck.ring, task))], task)
+
+
+def _admit(board: Board, rivals: Sequence[tuple[_Contest, list[Piece]]], task: Task) -> None:
+    """Reduce rivals, unless they are hopeless, and put them among those found."""
+    hopeful = [
+        (contest, pieces)
+        for contest, pieces in rivals
+        if contest.fewest is None or contest.placed(pieces) <= HOPELESS * contest.fewest
+    ]
+    reduced = reduce(board, [pieces for _, pieces in hopeful], task)
+    for (contest, _), pieces in zip(hopeful, reduced, strict=True):
+        contest.found.append(pieces)
+        contest.found.sort(key=cost)

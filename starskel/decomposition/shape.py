@@ -9,9 +9,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from starskel.decomposition.board import Board
 from starskel.decomposition.kernel import star_points
 from starskel.decomposition.pieces import Piece, edges_of
-from starskel.decomposition.tiling import Tiling
 from starskel.points import Points
 from starskel.predicates import Floats, Indices
 from starskel.rings import Rings
@@ -27,8 +27,8 @@ WORTH = 1.02
 """A move has to make the smallest kernel larger by this factor."""
 
 
-def shaped(tiling: Tiling, n: int, task: Task) -> Tiling:
-    """Give a tiling of the same two n-gons by the same pieces, with Steiner vertices in better places.
+def shaped(board: Board, pieces: list[Piece], task: Task) -> list[Piece]:
+    """Give the same pieces, with Steiner vertices in better places.
 
     Raises
     ------
@@ -38,35 +38,34 @@ def shaped(tiling: Tiling, n: int, task: Task) -> Tiling:
     for stride in STRIDES:
         for side in (0, 1):
             task.reach(0)
-            tiling = _moved(tiling, n, side, stride, task)
-    return tiling
+            pieces = _moved(board, pieces, side, stride, task)
+    return pieces
 
 
-def _moved(tiling: Tiling, n: int, side: int, stride: float, task: Task) -> Tiling:
+def _moved(board: Board, pieces: list[Piece], side: int, stride: float, task: Task) -> list[Piece]:
     """Move Steiner vertices on one side, no two of the same piece.
 
     A piece that is seen whole only from a common vertex is left alone: another kernel may not contain it.
     """
-    points = (tiling.source, tiling.target)[side]
-    around = _around(tiling, n)
+    around = _around(board, pieces)
     neighbours = list(dict.fromkeys(piece for pieces in around.values() for piece in pieces))
-    stars = tiling.have_kernels(neighbours, task)
+    stars = board.have_kernels(neighbours, task)
     touched = {piece for piece, star in zip(neighbours, stars, strict=True) if not star}
-    free = {vertex: pieces for vertex, pieces in sorted(around.items()) if touched.isdisjoint(pieces)}
+    free = {vertex: near for vertex, near in sorted(around.items()) if touched.isdisjoint(near)}
     moves: dict[int, Floats] = {}
-    for vertex, place in _better(points, free, stride, task).items():
+    for vertex, place in _better(board.sides[side], free, stride, task).items():
         if touched.isdisjoint(free[vertex]):
             moves[vertex] = place
             touched.update(free[vertex])
-    return _renamed(tiling, moves, side) if moves else tiling
+    return _renamed(board, pieces, moves, side) if moves else pieces
 
 
-def _around(tiling: Tiling, n: int) -> dict[int, list[Piece]]:
+def _around(board: Board, pieces: list[Piece]) -> dict[int, list[Piece]]:
     """Give the pieces round each Steiner vertex."""
     around: dict[int, list[Piece]] = {}
-    for piece in tiling.pieces:
+    for piece in pieces:
         for vertex in piece:
-            if vertex >= n:
+            if vertex >= board.n:
                 around.setdefault(vertex, []).append(piece)
     return around
 
@@ -129,10 +128,10 @@ def _places(points: Points, vertex: int, pieces: list[Piece], stride: float) -> 
     return places
 
 
-def _renamed(tiling: Tiling, moves: dict[int, Floats], side: int) -> Tiling:
+def _renamed(board: Board, pieces: list[Piece], moves: dict[int, Floats], side: int) -> list[Piece]:
     """Put vertices that were moved on one side in the place of old ones; on the other side they stay."""
-    names = {vertex: len(tiling.source.coordinates) + at for at, vertex in enumerate(moves)}
-    places, rows = np.array(list(moves.values())), np.array(list(moves))
-    source = tiling.source.again(rows) if side else tiling.source.with_free(places)
-    target = tiling.target.with_free(places) if side else tiling.target.again(rows)
-    return Tiling(source, target, tuple(tuple(names.get(v, v) for v in piece) for piece in tiling.pieces))
+    rows = np.array(list(moves))
+    added = [points.again(rows) for points in board.sides]
+    added[side] = board.sides[side].with_free(np.array(list(moves.values())))
+    names = dict(zip(moves, board.add(*added), strict=True))
+    return [tuple(names.get(v, v) for v in piece) for piece in pieces]

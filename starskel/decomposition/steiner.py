@@ -1,15 +1,18 @@
 """Placing one Steiner vertex: a fan round it is a star piece, and what it does not see is left in pockets."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
+from starskel.decomposition.board import TABLED_AT_ONCE, Board, handfuls
+from starskel.decomposition.overlay import crossings
 from starskel.decomposition.pieces import Piece
-from starskel.decomposition.tiling import Tiling
-from starskel.predicates import Floats, Relation
+from starskel.predicates import Floats, Indices, Relation
 from starskel.task import Task
-from starskel.triangulation import Grounds, Triangulation
+from starskel.triangulation import Triangulation
 from starskel.visibility import visibility_from
 
 EASY = 2
@@ -21,8 +24,7 @@ MOST_PLACES = 300
 MOST_SAMPLES = 3000
 """Places that are looked at in each polygon, one at least in each triangle."""
 
-_AT_ONCE = 1 << 20
-"""Vertices of pairs of places that are compared at once: all pairs would take gigabytes."""
+_HOPELESS = np.iinfo(np.intp).max
 
 _WEIGHTS = np.array(
     [(31, 33, 36), (67, 16, 17), (15, 68, 17), (17, 15, 68), (41, 40, 19), (42, 19, 39), (18, 41, 41)],
@@ -33,10 +35,48 @@ _WEIGHTS = np.array(
 
 @dataclass(frozen=True, eq=False)
 class Fan:
-    """A piece cut round a new Steiner vertex: star pieces between spokes, and the pockets that are left."""
+    """A place for a Steiner vertex in source and target, and the places in the ring that it sees in both."""
 
-    tiling: Tiling
-    pockets: list[Piece]
+    source: Floats
+    target: Floats
+    spokes: list[int]
+
+
+@dataclass(frozen=True, eq=False)
+class Stuck:
+    """A cell that common diagonals do not help.
+
+    Attributes
+    ----------
+    ring : tuple of int
+    crossings : int
+        How many Steiner vertices an overlay needs.
+    fans : list of Fan
+        The most promising places for one Steiner vertex, the best first.
+    """
+
+    ring: Piece
+    crossings: int
+    fans: list[Fan]
+
+
+def survey(board: Board, cells: Sequence[Piece], most: Sequence[int], task: Task) -> list[Stuck]:
+    """Look for ways to free stuck cells, at most so many for each by one Steiner vertex.
+
+    Every pocket has fewer vertices than its cell.
+    """
+    wanted = dict(zip(cells, most, strict=True))
+    found = {}
+    for handful in handfuls(set(cells), TABLED_AT_ONCE, len):
+        grounds = board.triangulated(handful, task)
+        places = zip(*(_places(ground, task) for ground in grounds), strict=True)
+        for cell, (first, second), count in zip(handful, places, crossings(*grounds), strict=True):
+            fans = [
+                Fan(first.at[i], second.at[j], np.flatnonzero(first.sees[i] & second.sees[j]).tolist())
+                for i, j in _best(first.sees, second.sees, wanted[cell], task)
+            ]
+            found[cell] = Stuck(cell, count, fans)
+    return [found[cell] for cell in cells]
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,29 +87,21 @@ class _Places:
     sees: Relation
 
 
-def fans(tiling: Tiling, piece: Piece, grounds: Grounds, most: int, task: Task) -> list[Fan]:
-    """Give the most promising ways to place one Steiner vertex in a piece, the best first.
-
-    Every pocket has fewer vertices than the piece.
-    """
-    centre = len(tiling.source.coordinates)
-    first, second = (_places(ground, task) for ground in grounds)
-    found = []
-    for i, j in _best(first.sees, second.sees, most, task):
-        spokes = np.flatnonzero(first.sees[i] & second.sees[j])
-        stars, pockets = _cut(piece, spokes.tolist(), centre)
-        cut = tiling.replace(piece, [*stars, *pockets], first.at[[i]], second.at[[j]])
-        found.append(Fan(cut, pockets))
-    return found
-
-
-def _places(ground: Triangulation, task: Task) -> _Places:
-    """Sample the triangles; of the places that see the same vertices keep one."""
+def _places(ground: Triangulation, task: Task) -> list[_Places]:
+    """Sample the triangles; of the places that see the same vertices of their ring keep one."""
     corners = ground.vertices[ground.triangles]
     weights = _WEIGHTS[: max(1, MOST_SAMPLES // len(corners))]
     samples = np.einsum("ws,fsx->fwx", weights / weights.sum(axis=1, keepdims=True), corners).reshape(-1, 2)
     triangles = np.repeat(np.arange(len(corners)), len(weights))
     sees = visibility_from(ground, samples, triangles, task).diagonal
+    places = []
+    for ring, (first, last) in enumerate(zip(ground.rings.first, ground.rings.last, strict=True)):
+        own = np.flatnonzero(ground.owner[triangles] == ring)
+        places.append(_distinct(samples[own], sees[own, first : last + 1]))
+    return places
+
+
+def _distinct(samples: Floats, sees: Relation) -> _Places:
     _, kept = np.unique(np.packbits(sees, axis=1), axis=0, return_index=True)
     kept = kept[np.lexsort((kept, -sees[kept].sum(axis=1)))][:MOST_PLACES]
     return _Places(samples[kept], sees[kept])
@@ -77,36 +109,49 @@ def _places(ground: Triangulation, task: Task) -> _Places:
 
 def _best(first: Relation, second: Relation, most: int, task: Task) -> list[tuple[int, int]]:
     """Rank pairs of places by what they leave hidden."""
-    hardness = np.empty((len(first), len(second)))
-    rows = max(1, _AT_ONCE // second.size)
-    for start in range(0, len(first), rows):
-        task.reach(0)
-        hardness[start : start + rows] = _hardness(first[start : start + rows, None] & second)
+    task.reach(0)
+    hardness = _hardness(first, second)
     ranked = np.argsort(hardness, axis=None, kind="stable")[:most]
-    ranked = ranked[np.isfinite(hardness.ravel()[ranked])]
+    ranked = ranked[hardness.ravel()[ranked] < _HOPELESS]
     return [(int(i), int(j)) for i, j in zip(*np.unravel_index(ranked, hardness.shape), strict=True)]
 
 
-def _hardness(seen: Relation) -> Floats:
-    """Give for each row the hidden vertices beyond those that are easy, then the pockets.
+def _hardness(first: Relation, second: Relation) -> Indices:
+    """Give for each pair of places the hidden vertices beyond those that are easy, then the pockets.
 
-    It is infinite where a pocket, its run of hidden vertices and three more, is no smaller than the polygon:
-    where all vertices seen are among three neighbours.
+    It is `_HOPELESS` where a pocket, its run of hidden vertices and three more, is no smaller than the
+    polygon: where all vertices seen are among three neighbours.
     """
-    n = seen.shape[-1]
-    cyclic = np.concatenate([seen[..., -EASY:], seen], axis=-1)
-    earlier = [cyclic[..., EASY - step : EASY - step + n] for step in range(EASY + 1)]
-    deep = ~np.logical_or.reduce(earlier)
-    pockets = seen & ~earlier[1]
-    neighbours = np.add.reduce(earlier, dtype=np.int8)
-    hardness: Floats = n * deep.sum(axis=-1) + pockets.sum(axis=-1).astype(np.float64)
-    hardness[neighbours.max(axis=-1) == seen.sum(axis=-1)] = np.inf
+    n = first.shape[1]
+    seen, earlier, before = (
+        _words(np.roll(first, step, axis=1))[:, None] & _words(np.roll(second, step, axis=1))
+        for step in range(EASY + 1)
+    )
+    near = _count(seen | earlier | before)
+    hardness: Indices = n * (n - near) + _count(seen & ~earlier)
+    few = np.argwhere(_count(seen) <= EASY + 1)
+    both = first[few[:, 0]] & second[few[:, 1]]
+    run = np.add.reduce([np.roll(both, step, axis=1) for step in range(EASY + 1)], dtype=np.int8)
+    hardness[tuple(few[run.max(axis=1, initial=0) == both.sum(axis=1)].T)] = _HOPELESS
     return hardness
 
 
-def _cut(piece: Piece, spokes: list[int], centre: int) -> tuple[list[Piece], list[Piece]]:
+def _words(flags: Relation) -> NDArray[np.uint64]:
+    """Pack rows of flags into words of 64."""
+    packed = np.zeros((len(flags), -(-flags.shape[1] // 64) * 8), dtype=np.uint8)
+    bits = np.packbits(flags, axis=1)
+    packed[:, : bits.shape[1]] = bits
+    return packed.view(np.uint64)
+
+
+def _count(words: NDArray[np.uint64]) -> Indices:
+    counts: Indices = np.bitwise_count(words).sum(axis=-1, dtype=np.intp)
+    return counts
+
+
+def cut_round(piece: Piece, fan: Fan, centre: int) -> tuple[list[Piece], list[Piece]]:
     """Cut a piece along spokes into star pieces, made of the triangles between spokes, and pockets."""
-    n = len(piece)
+    n, spokes = len(piece), fan.spokes
     if len(spokes) == n:  # the Steiner vertex stays, as a common star vertex of two halves
         half = n // 2
         return [(centre, *piece[: half + 1]), (centre, *piece[half:], piece[0])], []

@@ -13,42 +13,38 @@ A path has O(n) links: it can run along the ring, or along paths drawn before, o
 at most, as it is itself as short as can be. That is O(n^2) Steiner vertices for the O(n) diagonals.
 """
 
+from itertools import chain
+
 import numpy as np
 
+from starskel.decomposition.board import Board
 from starskel.decomposition.convex import Cut, Price, convex_cuts
-from starskel.decomposition.ladder import by_fan, climb, triangulated
+from starskel.decomposition.ladder import by_fan, climb
 from starskel.decomposition.paths import bends_between
 from starskel.decomposition.pieces import Piece
-from starskel.decomposition.tiling import Tiling
 from starskel.predicates import Floats, Indices, Relation
 from starskel.task import Task
 from starskel.triangulation import Triangulation
 from starskel.visibility import visibility
 
 
-def transfer(tiling: Tiling, whole: Piece, task: Task) -> Tiling:
-    """Replace the whole of two polygons by star pieces that respect a convex decomposition of one of them.
+def transfer(board: Board, whole: Piece, task: Task) -> list[Piece]:
+    """Tile the whole of two polygons by star pieces that respect a convex decomposition of one of them.
 
     Raises
     ------
     Cancelled
         If the task is told to stop.
     """
-    cuts, swap = _fewer_cuts(tiling, whole, task.part(0, 0.3))
-    if swap:
-        tiling = tiling.swapped()
-    tiling = _draw(tiling, whole, cuts, task.part(0.3, 0.7))
-    parts = tiling.pieces
-    for at, part in enumerate(parts):
-        done = 0.7 + 0.3 * at / len(parts)
-        task.reach(done)
-        tiling = climb(tiling, part, by_fan, task.quiet)
-    return tiling.swapped() if swap else tiling
+    cuts, side = _fewer_cuts(board, whole, task.part(0, 0.3))
+    parts = _draw(board, whole, cuts, side, task.part(0.3, 0.7))
+    task.reach(0.7)
+    return list(chain.from_iterable(climb(board, parts, by_fan, task.quiet)))
 
 
-def _fewer_cuts(tiling: Tiling, whole: Piece, task: Task) -> tuple[list[Cut], bool]:
-    """Give the cuts of the polygon that needs fewer, and whether that is the target."""
-    grounds = triangulated(tiling, whole, task.quiet)
+def _fewer_cuts(board: Board, whole: Piece, task: Task) -> tuple[list[Cut], int]:
+    """Give the cuts of the polygon that needs fewer, and which one that is."""
+    grounds = board.triangulated([whole], task.quiet)
     seen = [visibility(ground, task) for ground in grounds]
     cuts = [
         convex_cuts(
@@ -56,8 +52,8 @@ def _fewer_cuts(tiling: Tiling, whole: Piece, task: Task) -> tuple[list[Cut], bo
         )
         for i in (0, 1)
     ]
-    swap = len(cuts[1]) < len(cuts[0])
-    return [(whole[a], whole[b]) for a, b in cuts[swap]], swap
+    side = int(len(cuts[1]) < len(cuts[0]))
+    return [(whole[a], whole[b]) for a, b in cuts[side]], side
 
 
 def _price(ground: Triangulation, free: Relation) -> Price:
@@ -72,29 +68,26 @@ def _price(ground: Triangulation, free: Relation) -> Price:
     return price
 
 
-def _draw(tiling: Tiling, whole: Piece, cuts: list[Cut], task: Task) -> Tiling:
-    """Cut a ring of both polygons along diagonals of the source, drawn into the target as paths.
+def _draw(board: Board, whole: Piece, cuts: list[Cut], side: int, task: Task) -> list[Piece]:
+    """Cut a ring of both polygons along diagonals of one, drawn into the other as paths; give the parts.
 
     The diagonal that halves a part best is drawn first: paths through one corridor then share it evenly.
     """
+    parts = []
     waiting = [(whole, cuts)]
     drawn = 0
     while waiting:
         part, inner = waiting.pop()
         if not inner:
+            parts.append(part)
             continue
-        done = drawn / len(cuts)
+        task.reach(drawn / len(cuts))
         drawn += 1
         chosen = _halving(part, inner)
         inner = [cut for cut in inner if cut != chosen]
-        task.reach(done)
-        cut = _cut(tiling, part, chosen, task.quiet)
-        if cut is None:
-            waiting.append((part, inner))
-            continue
-        tiling, halves = cut
-        waiting += [(half, _within(half, inner)) for half in halves]
-    return tiling
+        halves = _cut(board, part, chosen, side, task.quiet)
+        waiting += [(half, _within(half, inner)) for half in halves or [part]]
+    return parts
 
 
 def _halving(part: Piece, cuts: list[Cut]) -> Cut:
@@ -107,17 +100,15 @@ def _within(part: Piece, cuts: list[Cut]) -> list[Cut]:
     return [cut for cut in cuts if vertices.issuperset(cut)]
 
 
-def _cut(tiling: Tiling, part: Piece, cut: Cut, task: Task) -> tuple[Tiling, tuple[Piece, Piece]] | None:
-    """Cut a part in two; None where the target is too narrow for a path."""
+def _cut(board: Board, part: Piece, cut: Cut, side: int, task: Task) -> tuple[Piece, Piece] | None:
+    """Cut a part in two; None where the other polygon is too narrow for a path."""
     start, end = (part.index(v) for v in cut)
-    bends = bends_between(tiling.target, np.array(part), start, end, task)
+    bends = bends_between(board.sides[1 - side], np.array(part), start, end, task)
     if bends is None:
         return None
-    count = len(tiling.source.coordinates)
-    between = tuple(range(count, count + len(bends)))
     share = np.arange(1, len(bends) + 1) / (len(bends) + 1)
-    halves = (*part[start : end + 1], *between[::-1]), (*part[: start + 1], *between, *part[end:])
-    pieces = tuple(piece for piece in tiling.pieces if piece != part)
     first, last = (np.full(len(bends), v) for v in cut)
-    source = tiling.source.with_on_chords(first, last, share)
-    return Tiling(source, tiling.target.with_free(bends), (*pieces, *halves)), halves
+    added = [points.with_free(bends) for points in board.sides]
+    added[side] = board.sides[side].with_on_chords(first, last, share)
+    between = tuple(board.add(*added))
+    return (*part[start : end + 1], *between[::-1]), (*part[: start + 1], *between, *part[end:])

@@ -5,16 +5,15 @@ import pytest
 
 from starskel.correspondence import Correspondence, match
 from starskel.decomposition import Decomposition, decompose
+from starskel.decomposition.board import Board
 from starskel.decomposition.ladder import by_fan, climb
 from starskel.decomposition.overlay import crossings, overlay
-from starskel.decomposition.pieces import Piece
+from starskel.decomposition.pieces import Piece, cost
 from starskel.decomposition.reduce import union
-from starskel.decomposition.tiling import Tiling
 from starskel.decomposition.verify import faults
 from starskel.errors import Cancelled, NoDecomposition
 from starskel.points import points_of
 from starskel.task import Task
-from starskel.triangulation import Triangulation, triangulate
 from tests.families import blob, comb, related, spiral, subdivided, turned, two_opt
 
 
@@ -23,13 +22,8 @@ def paired(source, target) -> Correspondence:
     return Correspondence(source, target, (), rows, rows)
 
 
-def uncut(source, target) -> tuple[Tiling, Piece]:
-    whole = tuple(range(len(source)))
-    return Tiling(points_of(source), points_of(target), (whole,)), whole
-
-
-def grounds(tiling: Tiling, piece: Piece) -> tuple[Triangulation, Triangulation]:
-    return triangulate(tiling.source, np.array(piece)), triangulate(tiling.target, np.array(piece))
+def uncut(source, target) -> tuple[Board, Piece]:
+    return Board(points_of(source), points_of(target)), tuple(range(len(source)))
 
 
 def mirrored(ring):
@@ -142,22 +136,30 @@ def test_without_steiner_vertices_some_pairs_have_no_decomposition():
 @pytest.mark.parametrize("seed", range(5))
 def test_the_overlay_alone_is_a_decomposition(seed):
     source, target = two_opt(16, seed), two_opt(16, seed + 1000)
-    tiling, whole = uncut(source, target)
-    both = grounds(tiling, whole)
-    laid = overlay(tiling, whole, *both)
-    sides = laid.source.coordinates, laid.target.coordinates
-    assert len(sides[0]) - 16 == crossings(*both) > 0
-    origins = [np.array([side[list(p)].mean(axis=0) for p in laid.pieces]) for side in sides]
-    assert faults(Decomposition(paired(source, target), *sides, laid.pieces, *origins)) == []
+    board, whole = uncut(source, target)
+    both = board.triangulated([whole], Task())
+    pieces = overlay(board, whole, *both)
+    sides = [side.coordinates for side in board.sides]
+    assert len(sides[0]) - 16 == crossings(*both)[0] > 0
+    origins = [np.array([side[list(p)].mean(axis=0) for p in pieces]) for side in sides]
+    assert faults(Decomposition(paired(source, target), *sides, tuple(pieces), *origins)) == []
+
+
+def test_crossings_are_counted_for_each_ring():
+    board, whole = uncut(two_opt(20, 2), two_opt(20, 1002))
+    cells = [whole, *(piece for piece in climb(board, [whole], by_fan, Task())[0] if max(piece) < 20)]
+    assert len(cells) > 2
+    alone = [crossings(*board.triangulated([cell], Task()))[0] for cell in cells]
+    assert crossings(*board.triangulated(cells, Task())) == alone
 
 
 def test_the_ladder_needs_fewer_steiner_vertices_than_the_overlay():
     climbed, laid = 0, 0
     for seed in range(8):
         source, target = two_opt(20, seed), two_opt(20, seed + 1000)
-        tiling, whole = uncut(source, target)
-        needed = crossings(*grounds(tiling, whole))
-        placed = len(climb(tiling, whole, by_fan, Task()).source.coordinates) - 20
+        board, whole = uncut(source, target)
+        (needed,) = crossings(*board.triangulated([whole], Task()))
+        placed = cost(climb(board, [whole], by_fan, Task())[0])[0] - 20
         assert placed <= needed
         climbed, laid = climbed + placed, laid + needed
     assert climbed * 5 < laid

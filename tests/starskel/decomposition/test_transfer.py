@@ -3,7 +3,8 @@ import pytest
 
 from starskel.correspondence import Correspondence
 from starskel.decomposition import Decomposition, decompose, transfer
-from starskel.decomposition.tiling import Tiling
+from starskel.decomposition.board import Board
+from starskel.decomposition.pieces import cost
 from starskel.decomposition.verify import faults
 from starskel.errors import Cancelled, NoDecomposition, StarskelError
 from starskel.points import points_of
@@ -70,13 +71,13 @@ def test_random_pairs_are_decomposed(seed):
 def test_parts_are_convex_in_one_polygon(pair):
     """Before they are cut into star pieces every vertex of a part sees the whole of it."""
     whole = tuple(range(len(pair)))
-    tiling = Tiling(points_of(pair.source), points_of(pair.target), (whole,))
-    cuts, swap = transfer._fewer_cuts(tiling, whole, UNWATCHED)
-    drawn = transfer._draw(tiling.swapped() if swap else tiling, whole, cuts, UNWATCHED)
-    assert len(drawn.pieces) == len(cuts) + 1
-    for piece in drawn.pieces:
+    board = Board(points_of(pair.source), points_of(pair.target))
+    cuts, side = transfer._fewer_cuts(board, whole, UNWATCHED)
+    drawn = transfer._draw(board, whole, cuts, side, UNWATCHED)
+    assert len(drawn) == len(cuts) + 1
+    for piece in drawn:
         ring = np.array(piece)
-        assert (drawn.source.orientation(np.roll(ring, 1), ring, np.roll(ring, -1)) >= 0).all()
+        assert (board.sides[side].orientation(np.roll(ring, 1), ring, np.roll(ring, -1)) >= 0).all()
 
 
 def test_no_steiner_vertices_where_the_diagonals_are_common():
@@ -107,9 +108,8 @@ def test_steiner_vertices_stay_below_the_square_of_the_count():
     for n in (20, 40):
         source, target = spiral(n, 2), np.roll(spiral(n, 1.5), n // 7, axis=0)
         whole = tuple(range(n))
-        tiling = Tiling(points_of(source), points_of(target), (whole,))
-        drawn = transfer.transfer(tiling, whole, UNWATCHED)
-        assert 0 < len(drawn.source.coordinates) - n < n * n / 4
+        drawn = transfer.transfer(Board(points_of(source), points_of(target)), whole, UNWATCHED)
+        assert 0 < cost(drawn)[0] - n < n * n / 4
 
 
 def test_equal_input_gives_equal_output(pair):

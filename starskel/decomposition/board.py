@@ -1,0 +1,112 @@
+"""Where two polygons are cut: their points, to which Steiner vertices are added, and what is known of rings.
+
+Points are only ever added, so what has been found out about a ring stays true.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+
+import numpy as np
+
+from starskel.decomposition.kernel import star_points, star_vertices
+from starskel.decomposition.pieces import Piece
+from starskel.points import Points
+from starskel.predicates import Floats, Relation
+from starskel.rings import Rings
+from starskel.task import Task
+from starskel.triangulation import Grounds, triangulate_rings
+
+AT_ONCE = 1 << 12
+"""Vertices of rings that are looked at between two questions whether to stop."""
+
+SIDES_AT_ONCE = 1 << 16
+"""Pairs of a vertex and an edge that are looked at between two such questions."""
+
+TABLED_AT_ONCE = 400
+"""Vertices of rings that are triangulated and tabled together: tables grow with their square."""
+
+
+class Board:
+    """Two polygons of n vertices, and Steiner vertices in both.
+
+    Attributes
+    ----------
+    n : int
+        Rows from here on are those of Steiner vertices.
+    sides : list of Points
+        The points of the source and of the target.
+    """
+
+    def __init__(self, source: Points, target: Points) -> None:
+        self.n = len(source.coordinates)
+        self.sides = [source, target]
+        self._common: dict[Piece, bool] = {}
+        self._kernels: dict[Piece, bool] = {}
+
+    def __len__(self) -> int:
+        return len(self.sides[0].coordinates)
+
+    def place(self, source: Floats, target: Floats) -> range:
+        """Add Steiner vertices at (k, 2) places in source and target; give their rows."""
+        return self.add(self.sides[0].with_free(source), self.sides[1].with_free(target))
+
+    def add(self, source: Points, target: Points) -> range:
+        """Take points that begin with those there are, on both sides equally many; give the new rows."""
+        before = len(self)
+        self.sides = [source, target]
+        return range(before, len(self))
+
+    def are_stars(self, pieces: Sequence[Piece], task: Task) -> list[bool]:
+        """Tell which simple rings of vertices have a common star vertex, or kernels with an inside."""
+        common = self.have_common_star_vertices(pieces, task)
+        left = [piece for piece, star in zip(pieces, common, strict=True) if not star]
+        kernels = iter(self.have_kernels(left, task))
+        return [star or next(kernels) for star in common]
+
+    def have_common_star_vertices(self, pieces: Sequence[Piece], task: Task) -> list[bool]:
+        """Tell for which simple rings one of their vertices sees the whole, in both polygons."""
+
+        def find(pieces: list[Piece]) -> Relation:
+            rings = Rings.of(pieces)
+            stars = star_vertices(self.sides, rings, task.quiet)
+            found: Relation = np.bincount(rings.owner[stars], minlength=len(pieces)) > 0
+            return found
+
+        unknown = {piece for piece in pieces if piece not in self._common}
+        for part in handfuls(unknown, SIDES_AT_ONCE, lambda piece: len(piece) ** 2):
+            task.quiet.reach(0)
+            self._common.update(zip(part, find(part).tolist(), strict=True))
+        return [self._common[piece] for piece in pieces]
+
+    def have_kernels(self, pieces: Sequence[Piece], task: Task) -> list[bool]:
+        """Tell which rings of vertices are simple, counter-clockwise and have kernels with an inside."""
+
+        def find(pieces: list[Piece]) -> Relation:
+            found: Relation = np.ones(len(pieces), dtype=bool)
+            for side in self.sides:
+                left = Rings.of([pieces[k] for k in np.flatnonzero(found).tolist()])
+                found[found] = star_points(side, left, task.quiet)[1] > 0
+            return found
+
+        unknown = {piece for piece in pieces if piece not in self._kernels}
+        for part in handfuls(unknown, AT_ONCE, len):
+            task.quiet.reach(0)
+            self._kernels.update(zip(part, find(part).tolist(), strict=True))
+        return [self._kernels[piece] for piece in pieces]
+
+    def triangulated(self, cells: Sequence[Piece], task: Task) -> Grounds:
+        """Triangulate cells in both polygons; that takes long where they are large."""
+        rings = Rings.of(cells)
+        task.reach(0)
+        source = triangulate_rings(self.sides[0], rings)
+        task.reach(0)
+        return source, triangulate_rings(self.sides[1], rings)
+
+
+def handfuls(rings: Iterable[Piece], most: int, work: Callable[[Piece], int]) -> Iterator[list[Piece]]:
+    """Cut rings, the short ones first, into handfuls of so much work or of one ring."""
+    waiting = sorted(rings, key=lambda ring: (len(ring), ring))
+    while waiting:
+        ends = np.cumsum([work(ring) for ring in waiting])
+        count = 1 + int(np.searchsorted(ends[1:], most))
+        yield waiting[:count]
+        waiting = waiting[count:]
