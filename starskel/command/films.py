@@ -2,6 +2,8 @@
 
 from argparse import Namespace
 from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
 
 from starskel.command.opening import Opened, chosen_id, opened
 from starskel.command.shapes import blends_of, ways_of
@@ -49,8 +51,9 @@ def _tracks(
 
 
 def _scene(file: Opened, pair_id: str, scene: Scene) -> Scene:
+    scene = replace(scene, pictures=partial(file.pictures, pair_id))
     if not file.steps:
         return scene
     number = file.ids.index(pair_id)
     step = file.steps[number]
-    return Scene(scene.blend, scene.report, step.duration, step.easing, name=file.step_name(number))
+    return replace(scene, length=step.duration, easing=step.easing, name=file.step_name(number))

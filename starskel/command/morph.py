@@ -19,11 +19,8 @@ from starskel.files.image_pairs import ImagePair, of_project, read_image_pairs
 from starskel.files.project_file import read_project
 from starskel.files.raster import MOVING, write_animation, write_image
 from starskel.files.video import VIDEO, write_video
-from starskel.images.morph import ImageMorph, smooth
+from starskel.images.morph import SOLID, ImageMorph, smooth
 from starskel.images.placed import Pixels
-
-SOLID = 2
-"""So near to the outlines, in pixels, pictures count as opaque: traced outlines are not more exact."""
 
 
 def run(arguments: Namespace) -> int:

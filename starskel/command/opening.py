@@ -6,13 +6,22 @@ from itertools import pairwise
 from pathlib import Path
 
 from starskel.errors import InvalidFile, StarskelError
-from starskel.files import multi_pairs, pairs, project_file
+from starskel.files import image_pairs, multi_pairs, pairs, project_file
 from starskel.files.documents import check_format
+from starskel.files.image_pairs import ImagePair, picture_of, read_image_pairs
 from starskel.files.multi_pairs import read_multi_pairs
+from starskel.files.pair_file import PairFile
 from starskel.files.pairs import read_pairs
 from starskel.files.project import AnyPair, letter
 from starskel.files.project_file import read_project
 from starskel.files.step import Step
+from starskel.images.placed import PlacedImage
+
+Pictures = tuple[PlacedImage | None, PlacedImage | None]
+
+
+def _no_pictures(_: str) -> Pictures:
+    return None, None
 
 
 @dataclass(frozen=True)
@@ -25,6 +34,8 @@ class Opened:
         Their names.
     pair : callable
         Gives the pair of a name, or raises InvalidFile.
+    pictures : callable
+        Gives the pictures of the source and the target of a name, each where there is one.
     name : str
         What all of them together are called, where they are the steps of one project; else "".
     steps : tuple of Step
@@ -35,6 +46,7 @@ class Opened:
 
     ids: tuple[str, ...]
     pair: Callable[[str], AnyPair]
+    pictures: Callable[[str], Pictures] = _no_pictures
     name: str = ""
     steps: tuple[Step, ...] = ()
     first: int = 0
@@ -46,7 +58,7 @@ class Opened:
 
 
 def opened(path: Path, step: int | None = None) -> Opened:
-    """Open a file of pairs, of polygons or of shapes, or a project, each step of which is a pair.
+    """Open a file of pairs, of polygons, shapes or pictures, or a project, each step of which is a pair.
 
     Parameters
     ----------
@@ -60,7 +72,7 @@ def opened(path: Path, step: int | None = None) -> Opened:
     InvalidFile
         If it is none of these, or cannot be read, or has no such step.
     """
-    found = check_format(path, pairs.FORMAT, multi_pairs.FORMAT, project_file.FORMAT)
+    found = check_format(path, pairs.FORMAT, multi_pairs.FORMAT, image_pairs.FORMAT, project_file.FORMAT)
     if found == project_file.FORMAT:
         return _steps(path, step)
     if step is not None:
@@ -68,6 +80,8 @@ def opened(path: Path, step: int | None = None) -> Opened:
     if found == multi_pairs.FORMAT:
         shapes = read_multi_pairs(path)
         return Opened(shapes.ids, shapes.pair)
+    if found == image_pairs.FORMAT:
+        return _pictured(read_image_pairs(path))
     polygons = read_pairs(path)
     return Opened(polygons.ids, polygons.pair)
 
@@ -91,6 +105,14 @@ def named(error: StarskelError, pair_id: str, path: Path) -> str:
     return text if text.startswith(str(path)) else f'{path}: pair "{pair_id}": {text}'
 
 
+def _pictured(file: PairFile[ImagePair]) -> Opened:
+    def pictures(name: str) -> Pictures:
+        pair = file.pair(name)
+        return pair.source, pair.target
+
+    return Opened(file.ids, lambda name: file.pair(name).shapes, pictures)
+
+
 def _steps(path: Path, step: int | None) -> Opened:
     document = read_project(path)
     if not document.name:
@@ -107,8 +129,13 @@ def _steps(path: Path, step: int | None) -> Opened:
         except InvalidFile as error:
             raise InvalidFile(f"{path}: {error.what}", error.mend) from error
 
+    def pictures(name: str) -> Pictures:
+        step = names.index(name)
+        source, target = (picture_of(path, document, step + k) for k in (0, 1))
+        return source, target
+
     if not any(one.parts and two.parts for one, two in pairwise(document.shapes)):
         pair(names[0])  # raises: nothing in the file can be blended
     own = slice(None) if step is None else slice(step - 1, step)
     first = 0 if step is None else step - 1
-    return Opened(tuple(names[own]), pair, document.name, document.steps[own], first)
+    return Opened(tuple(names[own]), pair, pictures, document.name, document.steps[own], first)

@@ -182,6 +182,7 @@ def _add_overlays(group: argparse._ArgumentGroup) -> None:
     group.add_argument("--vertices", action="store_true", help="the vertices as dots")
     group.add_argument("--pieces", action="store_true", help="the star pieces, where the method has them")
     group.add_argument("--skeleton", action="store_true", help="the skeleton, where the method has one")
+    group.add_argument("--no-pictures", action="store_true", help="the shapes, not the pictures in them")
     group.add_argument("--plain", action="store_true", help="no captions")
     group.add_argument(
         "--no-signs", action="store_true", help="nothing that tells where frames cross themselves"

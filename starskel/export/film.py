@@ -1,9 +1,9 @@
 """Film: blends on their way from the first shape to the last, and the drawings of it."""
 
 from bisect import bisect_right
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import accumulate
 
 import numpy as np
@@ -12,6 +12,8 @@ from starskel.blending.frames import Blend
 from starskel.easing import EVEN, Easing
 from starskel.errors import InvalidFile, told
 from starskel.export.settings import Settings
+from starskel.images.morph import SOLID, ImageMorph
+from starskel.images.placed import Pixels, PlacedImage
 from starskel.predicates import Floats
 from starskel.quality import Report, ShapeReport
 from starskel.shapes.shape_blend import ShapeBlend
@@ -25,6 +27,14 @@ from starskel.sheet.style import Look
 
 _LOOKS = 101
 """So many frames of each scene are looked at to see how much room a film needs."""
+
+
+Pictures = Callable[[], tuple[PlacedImage | None, PlacedImage | None]]
+
+
+def no_pictures() -> tuple[None, None]:
+    """Say that neither source nor target has a picture."""
+    return None, None
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,6 +52,8 @@ class Scene:
         How t runs over its time.
     name : str
         Which of several steps it is; "" where there is but one.
+    pictures : callable
+        Gives the pictures of source and target, each where there is one; asked when they are to be seen.
     """
 
     blend: Blend | ShapeBlend
@@ -49,12 +61,26 @@ class Scene:
     length: float = 1.0
     easing: Easing = EVEN
     name: str = ""
+    pictures: Pictures = no_pictures
 
     def frames(self, ts: Sequence[float], shown: Shown, *, moving: bool = False) -> tuple[Frame, ...]:
         """Give the frames at each t; those that move are drawn alike at all times."""
-        if isinstance(self.blend, ShapeBlend):
-            return shape_keyframes(self.blend, ts, shown, moving=moving)
-        return keyframes(self.blend, ts, shown)
+        frames: tuple[Frame, ...] = (
+            shape_keyframes(self.blend, ts, shown, moving=moving)
+            if isinstance(self.blend, ShapeBlend)
+            else keyframes(self.blend, ts, shown)
+        )
+        if not shown.pictures or self.morph is None:
+            return frames
+        return tuple(replace(frame, picture=partial(_painted, self.morph, frame.t)) for frame in frames)
+
+    @cached_property
+    def morph(self) -> ImageMorph | None:
+        """What carries the pictures; None where there are none."""
+        source, target = self.pictures()
+        if source is None and target is None:
+            return None
+        return ImageMorph(self.blend, source, target, solid=SOLID)
 
     def row(self, method: str, ts: Sequence[float], shown: Shown) -> Row:
         """Give the row of a sheet."""
@@ -131,8 +157,11 @@ class Film:
             return self.name
         return f"{self.name}: {self.tracks[0].name}"
 
-    def drawings(self) -> Iterator[Drawing]:
-        """Give the sheet, or a drawing for each frame, as the layout asks."""
+    def drawings(self, *, pictured: bool = False) -> Iterator[Drawing]:
+        """Give the sheet, or a drawing for each frame, as the layout asks, with or without pictures."""
+        if not pictured:
+            yield from self._without_pictures.drawings(pictured=True)
+            return
         wanted, look = self.settings, self.settings.look
         if wanted.layout == "row":
             frames = [frame for track in self.tracks for frame in self._frames(track)]
@@ -186,6 +215,11 @@ class Film:
             )
         return self.tracks[0]
 
+    @property
+    def _without_pictures(self) -> "Film":
+        shown = replace(self.settings.shown, pictures=False)
+        return replace(self, settings=replace(self.settings, shown=shown))
+
     def _frames(self, track: Track) -> tuple[Frame, ...]:
         return track.frames(self.settings.times, self.settings.eased, self.settings.shown)
 
@@ -229,4 +263,9 @@ class Shot:
     def _frames(self, track: Track, shares: Sequence[float]) -> tuple[Frame, ...]:
         scene, wanted = track.scenes[self.number], self.film.settings
         ts = [scene.easing.t(share) if wanted.eased else share for share in shares]
-        return scene.frames(ts, wanted.shown, moving=True)
+        return scene.frames(ts, replace(wanted.shown, pictures=False), moving=True)
+
+
+def _painted(morph: ImageMorph, t: float, box: Floats, size: tuple[int, int]) -> Pixels:
+    (left, bottom), (right, top) = box.tolist()
+    return morph.at(t, size, (left, bottom, right, top))

@@ -7,12 +7,14 @@ gives them. No date goes in: equal drawings give equal files.
 import io
 from collections.abc import Iterator, Sequence
 
+from PIL import Image as Raster
+from reportlab.lib.utils import ImageReader
 from reportlab.pdfgen.canvas import Canvas
 
 from starskel.export.film import Film
 from starskel.files.numbers import decimal
 from starskel.predicates import Floats
-from starskel.sheet.drawing import Area, Disc, Drawing, Group, Item, Label, Line, Stroke
+from starskel.sheet.drawing import Area, Disc, Drawing, Group, Image, Item, Label, Line, Stroke
 from starskel.task import Task
 
 _REACH = 0.5522847498307936
@@ -22,7 +24,7 @@ _REACH = 0.5522847498307936
 def files(film: Film, task: Task) -> Iterator[bytes]:
     """Give all drawings as one file, a page for each."""
     task.reach(0)
-    yield pdf_document(tuple(film.drawings()))
+    yield pdf_document(tuple(film.drawings(pictured=True)))
 
 
 def pdf_document(pages: Sequence[Drawing]) -> bytes:
@@ -55,6 +57,10 @@ def _draw(canvas: Canvas, items: Sequence[Item]) -> None:
                 canvas.addLiteral("\n".join([*_paint(fill, stroke), circle, _painted(fill, stroke, ())]))
             case Label():
                 _label(canvas, item)
+            case Image(box):
+                (left, bottom), (width, height) = box[0].tolist(), (box[1] - box[0]).tolist()
+                picture = ImageReader(Raster.fromarray(item.pixels))
+                canvas.drawImage(picture, left, bottom, width, height, mask="auto")
 
 
 def _path(points: Floats) -> str:

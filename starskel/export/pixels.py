@@ -4,10 +4,14 @@ What no colour covers is transparent; alpha is straight.
 """
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from functools import reduce
+from itertools import groupby
 from threading import Lock
 
 import numpy as np
 import pypdfium2
+from PIL import Image
 from pypdfium2 import raw
 
 from starskel.errors import StarskelError, told
@@ -15,7 +19,8 @@ from starskel.export.film import Film
 from starskel.export.pdf import pdf_document
 from starskel.files.raster import MOST_PIXELS
 from starskel.images.placed import LARGEST_SIDE, Pixels
-from starskel.sheet.drawing import Drawing
+from starskel.sheet.drawing import Drawing, Group, Item
+from starskel.sheet.drawing import Image as DrawnImage
 from starskel.task import Task
 
 DOTS = 2.0
@@ -44,7 +49,53 @@ def pixels_of(drawing: Drawing, longer_side: int | None = None) -> Pixels:
     StarskelError
         If these are too many pixels.
     """
-    width, height = size_of(drawing, longer_side)
+    size = size_of(drawing, longer_side)
+    layers = [
+        _painted(layer, drawing, size)
+        if isinstance(layer, DrawnImage)
+        else _page(replace(drawing, items=layer), size)
+        for layer in _layers(drawing.items)
+    ]
+    return reduce(_over, layers) if layers else _page(drawing, size)
+
+
+def _layers(items: Sequence[Item]) -> Iterator[DrawnImage | tuple[Item, ...]]:
+    """Give images, and between them all else together."""
+    for is_image, own in groupby(_single(items), lambda item: isinstance(item, DrawnImage)):
+        if is_image:
+            yield from (item for item in own if isinstance(item, DrawnImage))
+        else:
+            yield tuple(own)
+
+
+def _single(items: Sequence[Item]) -> Iterator[Item]:
+    for item in items:
+        if isinstance(item, Group):
+            yield from _single(item.items)
+        else:
+            yield item
+
+
+def _painted(image: DrawnImage, drawing: Drawing, size: tuple[int, int]) -> Pixels:
+    """Paint a picture into whole pixels, as many as its box meets."""
+    scale = np.array(size) / (drawing.width, drawing.height)
+    low, high = np.floor(image.box[0] * scale), np.ceil(image.box[1] * scale)
+    low, high = np.maximum(low, 0).astype(int), np.minimum(high, size).astype(int)
+    pixels = np.zeros((size[1], size[0], 4), dtype=np.uint8)
+    if (low < high).all():
+        width, height = (high - low).tolist()
+        rows, columns = slice(size[1] - high[1], size[1] - low[1]), slice(low[0], high[0])
+        pixels[rows, columns] = image.paint(np.array([low, high]) / scale, (width, height))
+    return pixels
+
+
+def _over(behind: Pixels, front: Pixels) -> Pixels:
+    images = Image.fromarray(behind), Image.fromarray(front)
+    return np.asarray(Image.alpha_composite(*images))
+
+
+def _page(drawing: Drawing, size: tuple[int, int]) -> Pixels:
+    width, height = size
     with _ONE_AT_A_TIME:
         document = pypdfium2.PdfDocument(pdf_document([drawing]))
         bitmap = pypdfium2.PdfBitmap.new_native(width, height, raw.FPDFBitmap_BGRA)

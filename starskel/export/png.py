@@ -10,6 +10,6 @@ from starskel.task import Task
 
 def files(film: Film, task: Task) -> Iterator[bytes]:
     """Give each drawing as a file."""
-    for drawing in film.drawings():
+    for drawing in film.drawings(pictured=True):
         task.reach(0)
         yield png_of(pixels_of(drawing, film.settings.pixels))

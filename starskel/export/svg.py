@@ -1,14 +1,18 @@
 """SVG out: a drawing as one file, every number a plain coordinate (no transforms, no style sheets)."""
 
+from base64 import b64encode
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from xml.sax.saxutils import escape, quoteattr
 
 from starskel.export.film import Film
 from starskel.files.numbers import decimal
+from starskel.files.raster import png_of
 from starskel.predicates import Floats
-from starskel.sheet.drawing import Area, Disc, Drawing, Group, Item, Label, Line, Stroke
+from starskel.sheet.drawing import Area, Disc, Drawing, Group, Image, Item, Label, Line, Stroke
 from starskel.task import Task
+
+XLINK = "http://www.w3.org/1999/xlink"
 
 FACE = "Helvetica, Arial, 'DejaVu Sans', sans-serif"
 
@@ -53,7 +57,7 @@ class Element:
 
 def files(film: Film, task: Task) -> Iterator[bytes]:
     """Give each drawing as a file."""
-    for drawing in film.drawings():
+    for drawing in film.drawings(pictured=True):
         task.reach(0)
         yield svg_text(drawing).encode()
 
@@ -98,6 +102,17 @@ def _element(item: Item, height: float) -> Element:
             return Element("circle", {**place, **_paint(fill, stroke)})
         case Label():
             return _label(item, height)
+        case Image():
+            return _image(item, height)
+
+
+def _image(image: Image, height: float) -> Element:
+    (left, bottom), (right, top) = image.box.tolist()
+    place = {"x": left, "y": height - top, "width": right - left, "height": top - bottom}
+    content = b64encode(png_of(image.pixels)).decode("ascii")
+    link = {"xmlns:xlink": XLINK, "xlink:href": f"data:image/png;base64,{content}"}
+    numbers = {name: decimal(value) for name, value in place.items()}
+    return Element("image", {**numbers, "preserveAspectRatio": "none", **link})
 
 
 def _path(points: Floats, height: float) -> str:

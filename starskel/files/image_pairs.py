@@ -96,8 +96,8 @@ def of_project(path: Path, project: Project, step: int) -> ImagePair:
         If a shape is missing, there is no picture at all, or one is damaged or too large.
     """
     shapes = of_polygons(project.pair(step))
-    pictures = [shape.picture for shape in project.shapes[step : step + 2]]
-    if not any(pictures):
+    source, target = (picture_of(path, project, step + k) for k in (0, 1))
+    if source is None and target is None:
         raise InvalidFile(
             told(
                 "{path} has no picture behind shape {first} or {last}",
@@ -107,15 +107,23 @@ def of_project(path: Path, project: Project, step: int) -> ImagePair:
             ),
             told("place one in the editor and save"),
         )
-    placed = [
-        picture
-        if picture is None
-        else placed_image(
-            picture, told("{path}: the picture of shape {letter}", path=path, letter=letter(step + k))
-        )
-        for k, picture in enumerate(pictures)
-    ]
-    return ImagePair(shapes, placed[0], placed[1])
+    return ImagePair(shapes, source, target)
+
+
+def picture_of(path: Path, project: Project, shape: int) -> PlacedImage | None:
+    """Give the picture behind a key shape of a project, by its number; None where there is none.
+
+    Raises
+    ------
+    InvalidFile
+        If it is damaged or too large.
+    """
+    picture = project.shapes[shape].picture
+    if picture is None:
+        return None
+    return placed_image(
+        picture, told("{path}: the picture of shape {letter}", path=path, letter=letter(shape))
+    )
 
 
 def placed_image(picture: Picture, name: str = "the picture") -> PlacedImage:

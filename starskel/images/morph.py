@@ -43,6 +43,9 @@ Size = tuple[int, int]
 
 Quality = Literal["precise", "preview"]
 
+SOLID = 2
+"""So near to the outlines, in pixels, pictures count as opaque by default: outlines are not more exact."""
+
 _LOOKS = 33
 """So many frames are looked at to find a view that shows all of them."""
 

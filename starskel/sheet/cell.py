@@ -7,7 +7,7 @@ import numpy as np
 
 from starskel.predicates import Floats
 from starskel.sheet import style
-from starskel.sheet.drawing import Area, Disc, Item, Label, Line, Place, Stroke
+from starskel.sheet.drawing import Area, Disc, Image, Item, Label, Line, Painter, Place, Stroke
 from starskel.sheet.keyframe import Keyframe, PlacedSkeleton
 from starskel.sheet.shape_keyframe import ShapeKeyframe
 from starskel.sheet.style import USUAL, Look
@@ -35,9 +35,15 @@ class Placement:
         """Give points of the user's plane, in (k, 2) rows, on the paper."""
         return (points - self.centre) * self.scale + self.place
 
+    def back(self, points: Floats) -> Floats:
+        """Give points on the paper in the user's plane."""
+        return (points - self.place) / self.scale + self.centre
+
 
 def cell(frame: Keyframe | ShapeKeyframe, on_paper: Placement, look: Look = USUAL) -> Iterator[Item]:
     """Give what is drawn of a keyframe: fill or star pieces, outline, skeleton, crossings, vertices, pins."""
+    if frame.picture is not None:
+        yield _picture(frame.picture, on_paper, frame.box)
     if isinstance(frame, ShapeKeyframe):
         yield from _parts(frame, on_paper, look)
     else:
@@ -75,8 +81,8 @@ def _strokes(place: Place, radius: float, lines: list[list[Place]]) -> Iterator[
 
 def _ring(frame: Keyframe, on_paper: Placement, look: Look) -> Iterator[Item]:
     ring, outline = on_paper(frame.ring), _outline(frame, look)
-    if frame.pieces:
-        yield from _pieces([on_paper(piece) for piece in frame.pieces])
+    yield from _pieces([on_paper(piece) for piece in frame.pieces], filled=frame.picture is None)
+    if frame.pieces or frame.picture is not None:
         yield Area(ring, stroke=outline)
     else:
         yield Area(ring, look.fill(frame.t), outline)
@@ -88,7 +94,8 @@ def _parts(frame: ShapeKeyframe, on_paper: Placement, look: Look) -> Iterator[It
     """Draw each part as one path with its holes, then the meta-skeleton: roots joined by links."""
     for ring, *holes in frame.parts:
         rings = tuple(on_paper(hole) for hole in holes)
-        yield Area(on_paper(ring), look.fill(frame.t), _outline(frame, look), rings)
+        fill = look.fill(frame.t) if frame.picture is None else None
+        yield Area(on_paper(ring), fill, _outline(frame, look), rings)
     for link in frame.tree:
         yield Line(on_paper(link), style.SKELETON_LINE)
     for x, y in on_paper(frame.tree.reshape(-1, 2)).tolist():
@@ -96,12 +103,19 @@ def _parts(frame: ShapeKeyframe, on_paper: Placement, look: Look) -> Iterator[It
 
 
 def _outline(frame: Keyframe | ShapeKeyframe, look: Look) -> Stroke | None:
-    return style.CROSSING_OUTLINE if look.signs and not frame.simple else look.outline
+    if look.signs and not frame.simple:
+        return style.CROSSING_OUTLINE
+    return look.outline if frame.picture is None else None
 
 
-def _pieces(rings: list[Floats]) -> Iterator[Item]:
+def _picture(paint: Painter, on_paper: Placement, box: Floats) -> Image:
+    return Image(on_paper(box), lambda seen, size: paint(on_paper.back(seen), size))
+
+
+def _pieces(rings: list[Floats], *, filled: bool) -> Iterator[Item]:
     for number, ring in enumerate(rings):
-        yield Area(ring, style.PIECES[number % len(style.PIECES)], style.PIECE_OUTLINE)
+        fill = style.PIECES[number % len(style.PIECES)] if filled else None
+        yield Area(ring, fill, style.PIECE_OUTLINE)
 
 
 def _skeleton(skeleton: PlacedSkeleton, on_paper: Placement) -> Iterator[Item]:

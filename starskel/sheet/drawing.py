@@ -3,13 +3,20 @@
 All lengths are points (1/72 inch), x right and y up from the lower left corner of the sheet.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
+import numpy as np
+
+from starskel.images.placed import Pixels
 from starskel.predicates import Floats
 
 Colour = str
 """Red, green and blue as "#rrggbb"."""
+
+FINE = 4
+"""Pixels for a point, 288 an inch, of pictures in formats that scale them."""
 
 Place = tuple[float, float]
 
@@ -62,6 +69,24 @@ class Label:
     bold: bool = False
 
 
+Painter = Callable[[Floats, tuple[int, int]], Pixels]
+"""Gives what is seen in a box, its lower left and upper right corner as rows, in pixels across and down."""
+
+
+@dataclass(frozen=True, eq=False)
+class Image:
+    """A picture, painted when it is known in how many pixels, in a box as `Painter` has it."""
+
+    box: Floats
+    paint: Painter
+
+    @property
+    def pixels(self) -> Pixels:
+        """The picture for formats that scale it, with `FINE` pixels for a point."""
+        width, height = np.ceil((self.box[1] - self.box[0]) * FINE).astype(int).tolist()
+        return self.paint(self.box, (max(width, 1), max(height, 1)))
+
+
 @dataclass(frozen=True)
 class Group:
     """What belongs together under a name, unique in its drawing."""
@@ -70,7 +95,7 @@ class Group:
     items: tuple["Item", ...]
 
 
-Item = Area | Line | Disc | Label | Group
+Item = Area | Line | Disc | Label | Image | Group
 
 
 @dataclass(frozen=True)

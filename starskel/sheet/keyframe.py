@@ -12,6 +12,7 @@ from starskel.blending.pieces import PieceBlend
 from starskel.correspondence import Correspondence
 from starskel.polygon import crossing_edges, meeting_places
 from starskel.predicates import Floats
+from starskel.sheet.drawing import Painter
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,6 +52,8 @@ class Keyframe:
         The skeleton; None where it is not shown.
     dotted : bool
         Whether the vertices are shown.
+    picture : Painter or None
+        What paints the picture in it, in the user's units; it takes the place of fill and outline.
     """
 
     t: float
@@ -59,6 +62,7 @@ class Keyframe:
     pieces: tuple[Floats, ...] = ()
     skeleton: PlacedSkeleton | None = None
     dotted: bool = False
+    picture: Painter | None = None
 
     @property
     def vertices(self) -> Floats:
@@ -87,15 +91,16 @@ class Keyframe:
 
 @dataclass(frozen=True)
 class Shown:
-    """What is to be seen on keyframes besides the polygon."""
+    """What is to be seen on keyframes besides the polygon; pictures in its place, where there are any."""
 
     marks: bool = False
     pieces: bool = False
     skeleton: bool = False
     vertices: bool = False
+    pictures: bool = True
 
 
-ALONE = Shown()
+ALONE = Shown(pictures=False)
 """Nothing besides."""
 
 

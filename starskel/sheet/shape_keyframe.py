@@ -12,6 +12,7 @@ from starskel.polar import as_points
 from starskel.polygon import crossing_edges, meeting_places
 from starskel.predicates import Floats
 from starskel.shapes.shape_blend import ShapeBlend
+from starskel.sheet.drawing import Painter
 from starskel.sheet.keyframe import ALONE, Shown
 
 
@@ -29,12 +30,15 @@ class ShapeKeyframe:
         The two ends of each link of the meta-skeleton; none where it is not shown.
     dotted : bool
         Whether the vertices are shown.
+    picture : Painter or None
+        What paints the picture in it, in the user's units; it takes the place of fill and outline.
     """
 
     t: float
     parts: tuple[tuple[Floats, ...], ...]
     tree: Floats
     dotted: bool = False
+    picture: Painter | None = None
 
     @property
     def vertices(self) -> Floats:

@@ -9,6 +9,7 @@ from starskel.easing import Easing
 from starskel.export.film import Film, Scene, Track
 from starskel.export.settings import Settings
 from starskel.files.examples import example
+from starskel.images.placed import PlacedImage
 
 SLOW_START = Easing((0.5, 0.0), (1.0, 1.0))
 RIM = np.array([[0, 0], [9, 0], [9, 9], [0, 9]], dtype=float)
@@ -56,3 +57,14 @@ def straying(known, seen):
         np.abs((own * [1, -1] - offset) / scale - frame).max() for frame, own in zip(known, seen, strict=True)
     ]
     return max(away) / box_side(known)
+
+
+def pictured(**options):
+    """A square that becomes a wider one; its picture is red to the left and blue to the right."""
+    made = starskel.blend(RIM, RIM * [2, 1], marks=[(0, 0), (1, 1)], method="vertex")
+    pixels = np.zeros((9, 9, 3), dtype=np.uint8)
+    pixels[:, :4, 0], pixels[:, 4:, 2] = 255, 255
+    picture = PlacedImage(pixels), None
+    return Film(
+        "Two colours", (Track("vertex", (Scene(made, pictures=lambda: picture),)),), Settings(**options)
+    )

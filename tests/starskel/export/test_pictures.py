@@ -14,8 +14,10 @@ from starskel.export.pixels import pixels_of
 from starskel.export.write import write
 from starskel.files import raster
 from starskel.sheet.drawing import Area, Disc, Drawing, Line, Stroke
+from starskel.sheet.keyframe import Shown
 from starskel.sheet.style import Look
-from tests.starskel.export.films import arm, ring, steps
+from tests.starskel.export.films import arm, pictured, ring, steps
+from tests.starskel.export.rendering import needs_ghostscript, needs_rsvg, run
 
 MOVING = (".gif", ".apng", ".webp")
 SQUARE = np.array([[10, 10], [30, 10], [30, 30], [10, 30]], dtype=float)
@@ -172,3 +174,60 @@ def test_an_animation_that_would_fill_the_memory_is_refused(tmp_path, monkeypatc
     with pytest.raises(InvalidFile, match="too many pixels: 10 times 160"):
         write(tmp_path / "film.gif", arm(**FEW))
     assert not list(tmp_path.iterdir())
+
+
+def assert_two_colours(picture):
+    """Show that the middle row is red and then blue, and nothing round it."""
+    middle = np.asarray(picture)[len(picture) // 2]
+    red = (middle[:, 0] > 230) & (middle[:, 2] < 25)
+    blue = (middle[:, 2] > 230) & (middle[:, 0] < 25)
+    assert np.flatnonzero(red).max() < np.flatnonzero(blue).min()
+    assert abs(red.sum() / (red.sum() + blue.sum()) - 4 / 9) < 0.05
+    assert red.sum() + blue.sum() > 0.3 * len(middle)
+
+
+BARE = Look(margin=18.0, outline=Stroke("#00ff00", 5.0), captions=False, size=100.0)
+
+
+def test_a_film_with_pictures_shows_them_in_place_of_fill_and_outline(tmp_path):
+    film = pictured(layout="frames", times=(0.0, 0.5, 1.0), look=BARE)
+    for path in write(tmp_path / "film.png", film):
+        with Image.open(path) as image:
+            assert_two_colours(np.array(image))
+            assert np.array(image)[..., 1].max() == 0
+    assert size(tmp_path / "film-0001.png") == (272, 172)
+
+
+def test_moving_pictures_carry_pictures(tmp_path):
+    (path,) = write(tmp_path / "film.webp", pictured(layout="animation", rate=2.0, look=BARE))
+    pictures = [picture for picture, _ in seen(path)]
+    assert len(pictures) == 6
+    for picture in pictures:
+        assert_two_colours(picture)
+
+
+def test_shapes_are_drawn_where_pictures_are_not_wanted_or_cannot_be(tmp_path):
+    film = pictured(layout="frames", times=(0.5,), look=BARE, shown=Shown(pictures=False))
+    (path,) = write(tmp_path / "film.png", film)
+    with Image.open(path) as image:
+        assert np.array(image)[..., 1].max() == 255
+    (path,) = write(tmp_path / "film.eps", pictured(layout="frames", times=(0.5,), look=BARE))
+    assert b" stroked" in path.read_bytes()
+
+
+@needs_rsvg
+def test_svg_has_pictures_inside(tmp_path):
+    (path,) = write(tmp_path / "film.svg", pictured(layout="frames", times=(0.5,), look=BARE))
+    run("rsvg-convert", "-o", tmp_path / "seen.png", path)
+    with Image.open(tmp_path / "seen.png") as image:
+        assert_two_colours(np.array(image))
+
+
+@needs_ghostscript
+def test_pdf_has_pictures_inside_and_equal_films_give_equal_files(tmp_path):
+    film = pictured(layout="frames", times=(0.5,), look=BARE)
+    (path,), (again,) = (write(tmp_path / name, film) for name in ("film.pdf", "again.pdf"))
+    assert path.read_bytes() == again.read_bytes()
+    run("gs", "-q", "-dBATCH", "-dNOPAUSE", "-sDEVICE=png16m", f"-o{tmp_path / 'seen.png'}", path)
+    with Image.open(tmp_path / "seen.png") as image:
+        assert_two_colours(np.array(image))
