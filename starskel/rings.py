@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import chain
+from itertools import chain, pairwise
 
 import numpy as np
 
@@ -72,3 +72,12 @@ def ranges(first: Indices, counts: Indices) -> tuple[Indices, Indices]:
     """Count up from some numbers, so many steps from each; give for each step whose it is, and the number."""
     owner = np.repeat(np.arange(len(first)), counts)
     return owner, np.arange(len(owner)) + (first - (np.cumsum(counts) - counts))[owner]
+
+
+def blocks(counts: Indices, most: int) -> list[slice]:
+    """Cut things, each of so many parts, into blocks of not many more than so many parts."""
+    if not len(counts):
+        return []
+    block = np.cumsum(counts) // most
+    ends = [0, *(np.flatnonzero(np.diff(block)) + 1).tolist(), len(counts)]
+    return [slice(a, b) for a, b in pairwise(ends)]

@@ -11,13 +11,13 @@ edges. Coordinates are rounded, so a segment that passes a vertex by less than `
 """
 
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
 from starskel.cells import Cells, cells_of, doubtful_area
 from starskel.points import Points
 from starskel.predicates import ROUNDING, Complex, Floats, Indices, Relation
+from starskel.rings import blocks, ranges
 from starskel.task import UNWATCHED, Task
 from starskel.triangulation import Triangulation
 
@@ -180,7 +180,7 @@ class _Scene:
 def _look(scene: _Scene, walks: _Walks, seen: Visibility, task: Task) -> None:
     """Note what viewers see on walks round their own cells, and in the cells behind these."""
     around = []
-    for part in _parts(walks.count):
+    for part in blocks(walks.count, BLOCK):
         task.reach(0)
         around.append(_look_around(scene, walks.part(part), seen))
     for views in around:  # once all are noted: two cells of a viewer share the ends of a side
@@ -188,31 +188,15 @@ def _look(scene: _Scene, walks: _Walks, seen: Visibility, task: Task) -> None:
     waiting = [views.part(np.flatnonzero(views.start >= 0)) for views in around]
     while waiting:
         views = waiting.pop()
-        for part in _parts(scene.cells.size[views.start]):
+        for part in blocks(scene.cells.size[views.start], BLOCK):
             task.reach(0)
             waiting.append(_advance(scene, views.part(part), seen))
-
-
-def _parts(counts: Indices) -> list[slice]:
-    """Cut walks into handfuls of not many more than `BLOCK` steps."""
-    if not len(counts):
-        return []
-    blocks = np.cumsum(counts) // BLOCK
-    ends = [0, *(np.flatnonzero(np.diff(blocks)) + 1).tolist(), len(counts)]
-    return [slice(a, b) for a, b in pairwise(ends)]
-
-
-def _walk(start: Indices, count: Indices) -> tuple[Indices, Indices]:
-    """Give for each step of walks upwards the walk and the place."""
-    walk = np.repeat(np.arange(len(start)), count)
-    begun = np.cumsum(count) - count
-    return walk, np.arange(len(walk)) + (start - begun)[walk]
 
 
 def _look_around(scene: _Scene, walks: _Walks, seen: Visibility) -> _Views:
     """Note the corners on the walks, and give the views through all sides but those that end at a viewer."""
     cells, count = scene.cells, walks.count
-    walk, place = _walk(walks.start, count)
+    walk, place = ranges(walks.start, count)
     viewer = walks.viewer[walk]
     seen.sees[viewer, cells.corner[place]] = True
     seen.diagonal[viewer, cells.corner[place]] = True
@@ -235,7 +219,7 @@ def _advance(scene: _Scene, views: _Views, seen: Visibility) -> _Views:
     """Note which corners are seen in the cells that views enter, and give the views onward."""
     cells = scene.cells
     count = cells.size[views.start] - 1
-    walk, place = _walk(views.start, count)
+    walk, place = ranges(views.start, count)
     corner = cells.corner.take(place)
     ends = np.cumsum(count)
     left_of_right, right_of_left, grazing = _between(scene, views, walk, corner, ends - count)

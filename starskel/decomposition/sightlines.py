@@ -10,6 +10,7 @@ import numpy as np
 
 from starskel.points import Points
 from starskel.predicates import Indices, Relation, Signs
+from starskel.rings import ranges
 from starskel.task import Task
 from starskel.triangulation import Triangulation
 
@@ -64,7 +65,7 @@ class Places:
 def sightlines(ground: Triangulation, places: Places, task: Task) -> Relation:
     """Tell which places have a free view of each other, by a segment that meets the ring at its ends at most.
 
-    Two vertices are not told.
+    Two vertices are not told. In a ground of several rings places in different ones do not see each other.
 
     Returns
     -------
@@ -114,9 +115,7 @@ def _note(ground: Triangulation, places: Places, views: _Views, sees: Relation) 
 def _in_triangles(places: Places, triangles: Indices) -> tuple[Indices, Indices]:
     """Pair the index of each given triangle with the places that lie in it."""
     first, end = (np.searchsorted(places.triangle, triangles, side) for side in ("left", "right"))
-    count = end - first
-    given = np.repeat(np.arange(len(triangles)), count)
-    return given, np.arange(len(given)) + np.repeat(first - (np.cumsum(count) - count), count)
+    return ranges(first, end - first)
 
 
 def _onward(ground: Triangulation, places: Places, views: _Views) -> _Views:

@@ -17,12 +17,13 @@ from itertools import chain
 
 import numpy as np
 
-from starskel.decomposition.board import Board
+from starskel.decomposition.board import Board, handfuls
 from starskel.decomposition.convex import Cut, Price, convex_cuts
 from starskel.decomposition.ladder import by_fan, climb
-from starskel.decomposition.paths import bends_between
+from starskel.decomposition.paths import MANY, bends_between
 from starskel.decomposition.pieces import Piece
 from starskel.predicates import Floats, Indices, Relation
+from starskel.rings import Rings
 from starskel.task import Task
 from starskel.triangulation import Triangulation
 from starskel.visibility import visibility
@@ -73,21 +74,17 @@ def _draw(board: Board, whole: Piece, cuts: list[Cut], side: int, task: Task) ->
 
     The diagonal that halves a part best is drawn first: paths through one corridor then share it evenly.
     """
-    parts = []
-    waiting = [(whole, cuts)]
-    drawn = 0
-    while waiting:
-        part, inner = waiting.pop()
-        if not inner:
-            parts.append(part)
-            continue
-        task.reach(drawn / len(cuts))
-        drawn += 1
-        chosen = _halving(part, inner)
-        inner = [cut for cut in inner if cut != chosen]
-        halves = _cut(board, part, chosen, side, task.quiet)
-        waiting += [(half, _within(half, inner)) for half in halves or [part]]
-    return parts
+    parts = {whole: cuts}
+    while waiting := [part for part, inner in parts.items() if inner]:
+        task.reach(1 - sum(map(len, parts.values())) / len(cuts))
+        for handful in handfuls(waiting, MANY, len):
+            chosen = [_halving(part, parts[part]) for part in handful]
+            for part, cut, halves in zip(
+                handful, chosen, _halves(board, handful, chosen, side, task.quiet), strict=True
+            ):
+                inner = [other for other in parts.pop(part) if other != cut]
+                parts.update((half, _within(half, inner)) for half in halves)
+    return list(parts)
 
 
 def _halving(part: Piece, cuts: list[Cut]) -> Cut:
@@ -100,15 +97,34 @@ def _within(part: Piece, cuts: list[Cut]) -> list[Cut]:
     return [cut for cut in cuts if vertices.issuperset(cut)]
 
 
-def _cut(board: Board, part: Piece, cut: Cut, side: int, task: Task) -> tuple[Piece, Piece] | None:
-    """Cut a part in two; None where the other polygon is too narrow for a path."""
-    start, end = (part.index(v) for v in cut)
-    bends = bends_between(board.sides[1 - side], np.array(part), start, end, task)
-    if bends is None:
-        return None
-    share = np.arange(1, len(bends) + 1) / (len(bends) + 1)
-    first, last = (np.full(len(bends), v) for v in cut)
-    added = [points.with_free(bends) for points in board.sides]
+def _halves(
+    board: Board, parts: list[Piece], cuts: list[Cut], side: int, task: Task
+) -> list[tuple[Piece, ...]]:
+    """Cut parts in two, each along one cut, or keep them: the other polygon may be too narrow for a path."""
+    rings = Rings.of(parts)
+    places = [tuple(part.index(v) for v in cut) for part, cut in zip(parts, cuts, strict=True)]
+    starts, ends = (rings.first + np.array(place) for place in zip(*places, strict=True))
+    paths = bends_between(board.sides[1 - side], rings, starts, ends, task)
+    rows = iter(
+        _place(board, [(cut, path) for cut, path in zip(cuts, paths, strict=True) if path is not None], side)
+    )
+    halves: list[tuple[Piece, ...]] = []
+    for part, (start, end), path in zip(parts, places, paths, strict=True):
+        if path is None:
+            halves.append((part,))
+            continue
+        between = tuple(next(rows) for _ in path)
+        halves.append(((*part[start : end + 1], *between[::-1]), (*part[: start + 1], *between, *part[end:])))
+    return halves
+
+
+def _place(board: Board, drawn: list[tuple[Cut, Floats]], side: int) -> range:
+    """Add the bends of paths as Steiner vertices, which stand on diagonals on the side that is cut."""
+    if not drawn:
+        return range(0)
+    counts = [len(path) for _, path in drawn]
+    first, last = np.repeat(np.array([cut for cut, _ in drawn]), counts, axis=0).T
+    share = np.concatenate([np.arange(1, count + 1) / (count + 1) for count in counts])
+    added = [points.with_free(np.concatenate([path for _, path in drawn])) for points in board.sides]
     added[side] = board.sides[side].with_on_chords(first, last, share)
-    between = tuple(board.add(*added))
-    return (*part[start : end + 1], *between[::-1]), (*part[: start + 1], *between, *part[end:])
+    return board.add(*added)

@@ -8,6 +8,7 @@ from starskel.decomposition.paths import bends_between
 from starskel.decomposition.sightlines import Places, sightlines
 from starskel.points import points_of
 from starskel.polygon import crossing_edges
+from starskel.rings import Rings
 from starskel.task import UNWATCHED
 from starskel.triangulation import triangulate
 from starskel.visibility import visibility
@@ -28,9 +29,27 @@ def ring(request):
 
 
 def bends(ring, start, end):
-    found = bends_between(points_of(ring), np.arange(len(ring)), start, end, UNWATCHED)
+    (found,) = bends_between(
+        points_of(ring), Rings.of([range(len(ring))]), np.array([start]), np.array([end]), UNWATCHED
+    )
     assert found is not None
     return found
+
+
+def test_paths_that_are_found_together_are_those_found_alone(ring):
+    points, whole = points_of(ring), np.arange(len(ring))
+    wanted = apart(ring)[::7]
+    rings = Rings.of([np.roll(whole, -shift) for shift in range(len(wanted))])
+    ends = (
+        np.array([[(v - k) % len(ring) for v in cut] for k, cut in enumerate(wanted)]) + rings.first[:, None]
+    )
+    together = bends_between(points, rings, *ends.T, UNWATCHED)
+    assert len(together) > 2
+    for (row, _), (start, end), path in zip(
+        rings.parts(), ends - rings.first[:, None], together, strict=True
+    ):
+        alone = bends_between(points, Rings.of([row]), np.array([start]), np.array([end]), UNWATCHED)
+        np.testing.assert_array_equal(path, alone[0])
 
 
 def apart(ring):
