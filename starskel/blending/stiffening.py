@@ -74,8 +74,8 @@ _STIFFER = 3.0
 _MOST_POINTS = 2_000_000
 """Fewer rounds where the frames looked at first would have more vertices than this, all together."""
 
-_BATCH = 16_000
-"""So many vertices are looked at before asking again whether to stop: under a tenth of a second's work."""
+_BATCH = 8_000
+"""So many vertices are looked at before asking again whether to stop: a few hundredths of a second's work."""
 
 
 class Graphs:

@@ -81,6 +81,6 @@ def _relaxed(keys: Chain, guide: Guide, pull: Pull, task: Task) -> Chain:
     for sweep in range(SWEEPS):
         for first in (1, 2):  # every other key, so that it does not matter where the sweep begins
             for k in range(first, len(keys) - 1, 2):
-                task.reach(sweep / SWEEPS)
-                frames[k] = pull.between(frames[k - 1], frames[k], frames[k + 1], goals[k])
+                part = task.part(sweep / SWEEPS, 1)
+                frames[k] = pull.between(frames[k - 1], frames[k], frames[k + 1], goals[k], part)
     return retimed(frames, times)

@@ -51,7 +51,7 @@ def passages(ring: Floats, task: Task) -> list[Passage]:
     points = points_of(ring)
     n = len(ring)
     found: dict[int, Passage] = {}
-    hull = _hull(points, n)
+    hull = _hull(points, n, task)
     for first, last in pairwise([*hull, hull[0] + n]):
         task.reach(0)
         lid = first % n, last % n
@@ -62,18 +62,19 @@ def passages(ring: Floats, task: Task) -> list[Passage]:
     return [found[edge] for edge in range(n)]
 
 
-def _hull(points: Points, n: int) -> list[int]:
+def _hull(points: Points, n: int, task: Task) -> list[int]:
     """Give the vertices on the boundary of the convex hull, counter-clockwise, those on its sides as well."""
     order = np.lexsort(points.coordinates[:n].T[::-1]).tolist()
-    hull = [*_chain(points, order)[:-1], *_chain(points, order[::-1])[:-1]]
+    hull = [*_chain(points, order, task)[:-1], *_chain(points, order[::-1], task)[:-1]]
     first = hull.index(min(hull))  # in a simple ring they come in the ring's order
     return hull[first:] + hull[:first]
 
 
-def _chain(points: Points, order: list[int]) -> list[int]:
+def _chain(points: Points, order: list[int], task: Task) -> list[int]:
     """Give the vertices that a walk turning left keeps (Andrew 1979)."""
     chain: list[int] = []
     for vertex in order:
+        task.reach(0)
         while len(chain) > 1 and points.orientation(*np.array([[*chain[-2:], vertex]]).T)[0] < 0:
             chain.pop()
         chain.append(vertex)

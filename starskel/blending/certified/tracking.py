@@ -128,7 +128,7 @@ class Pull:
             arrivals.append(len(frames) - 1)
         return Track(frames, np.array(arrivals))
 
-    def between(self, before: Floats, now: Floats, after: Floats, goal: Floats) -> Floats:
+    def between(self, before: Floats, now: Floats, after: Floats, goal: Floats, task: Task) -> Floats:
         """Give a frame nearer to a goal, still well linked to those before and after, if there is one."""
         barrier = Barrier.near(as_complex(now), self.met, self.metric.size, self.room)
         step = CAREFUL * self._step(as_complex(now), as_complex(goal), barrier)
@@ -136,7 +136,7 @@ class Pull:
         def accepted(there: Floats) -> bool:
             return self.linked(before, there) and self.linked(there, after)
 
-        taken = self._taken(now, goal, step, barrier, accepted)
+        taken = self._taken(now, goal, step, barrier, accepted, task)
         return now if taken is None else taken
 
     def meeting(self, frames: tuple[Complex, ...]) -> "Pull":
@@ -149,11 +149,10 @@ class Pull:
             return
         barrier = Barrier.near(as_complex(now), self.met, self.metric.size, self.room)
         for _ in range(STEPS):
-            task.reach(0)
             if not self.allowance.take(len(now)):
                 return
             step = self._step(as_complex(now), as_complex(goal), barrier)
-            after = self._taken(now, goal, step, barrier, partial(self.linked, now))
+            after = self._taken(now, goal, step, barrier, partial(self.linked, now), task)
             if after is None:
                 return
             moved = farthest(after - now)
@@ -175,12 +174,13 @@ class Pull:
         return np.asarray((pushes * near.slopes) @ yields - away)
 
     def _taken(
-        self, now: Floats, goal: Floats, step: Complex, barrier: Barrier, accepted: Accepted
+        self, now: Floats, goal: Floats, step: Complex, barrier: Barrier, accepted: Accepted, task: Task
     ) -> Floats | None:
         """Give the frame after as much of a step as lessens the energy and is good; None if hardly any is."""
         row = as_complex(now)
         energy = self._energy(row, goal, barrier)
         for _ in range(HALVINGS):
+            task.reach(0)
             there = row + step
             if self._energy(there, goal, barrier) < energy and accepted(as_points(there)):
                 return as_points(there)
