@@ -9,7 +9,8 @@ import numpy as np
 
 from starskel.blending.certified.keys import Chain, Guide, Key, Linked, frames_at
 from starskel.blending.certified.smoothing import retimed, smoothed, thinned
-from starskel.blending.certified.tracking import Pull, Track
+from starskel.blending.certified.track import Track
+from starskel.blending.certified.tracking import Pull
 from starskel.outline import cross_themselves
 from starskel.polar import as_complex
 from starskel.predicates import Floats
@@ -73,12 +74,12 @@ def _bridged(before: Key, after: Key, guide: Guide, pull: Pull, task: Task) -> C
 
 def _meeting(ahead: Track, back: Track, linked: Linked, task: Task) -> int | None:
     """Give the moment at which changing over makes the way shortest, of those where the link is good."""
-    across = [np.sqrt(((f - b) ** 2).mean()) for f, b in zip(ahead.places, back.places[::-1], strict=True)]
-    whole = ahead.ways + across + back.ways[::-1]
-    halfway = np.stack([(f + b) / 2 for f, b in zip(ahead.places, back.places[::-1], strict=True)])
+    here, there = ahead.places, back.places[::-1]
+    across = np.sqrt(((here - there) ** 2).mean(axis=(1, 2)))
+    whole, halfway = ahead.ways + across + back.ways[::-1], (here + there) / 2
     for k in np.argsort(whole, kind="stable"):
         task.reach(0)
-        if not cross_themselves(halfway[k : k + 1])[0] and linked(ahead.places[k], back.places[-1 - k]):
+        if not cross_themselves(halfway[k : k + 1])[0] and linked(here[k], there[k]):
             return int(k)
     return None
 

@@ -12,19 +12,18 @@ from functools import partial
 import numpy as np
 
 from starskel.blending.certified.barrier import Barrier
+from starskel.blending.certified.energy import Energy
 from starskel.blending.certified.keys import Linked, farthest
 from starskel.blending.certified.metric import Metric
 from starskel.blending.certified.room import Room
+from starskel.blending.certified.track import Track
 from starskel.certificate import safe
 from starskel.polar import as_complex, as_points
-from starskel.predicates import Complex, Floats, Indices
+from starskel.predicates import Complex, Floats
 from starskel.task import Task
 
 Accepted = Callable[[Floats], bool]
 """Tells whether a frame is good to go to."""
-
-PUSH = 1e-3
-"""The weight of the energy that keeps pairs apart beside the strain."""
 
 STEPS = 4
 """The most steps for one moment."""
@@ -58,41 +57,6 @@ class Allowance:
         """Take what a step of n vertices costs; tell whether there was so much."""
         self.left -= n + LAID_OUT
         return self.left >= 0
-
-
-@dataclass(frozen=True, eq=False)
-class Track:
-    """Where following led.
-
-    Attributes
-    ----------
-    frames : list of (n, 2) arrays
-        From the start on, each linked safely to the next.
-    arrivals : (k,) array of int
-        For each moment the last of these frames.
-    """
-
-    frames: list[Floats]
-    arrivals: Indices
-
-    @property
-    def places(self) -> list[Floats]:
-        """The frame of each moment."""
-        return [self.frames[at] for at in self.arrivals]
-
-    @property
-    def ways(self) -> Floats:
-        """How far it is to the frame of each moment, each step the root mean square over the vertices."""
-        steps = np.diff(np.stack(self.frames), axis=0)
-        return np.concatenate([[0.0], np.cumsum(np.sqrt((steps**2).mean(axis=(1, 2))))])[self.arrivals]
-
-    def until(self, moment: int) -> list[Floats]:
-        """Give the frames up to that of a moment."""
-        return self.frames[: self.arrivals[moment] + 1]
-
-    def moments(self, moment: int) -> Indices:
-        """Give for each of these the moment that it was made for."""
-        return np.searchsorted(self.arrivals, np.arange(self.arrivals[moment] + 1))
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,13 +94,13 @@ class Pull:
 
     def between(self, before: Floats, now: Floats, after: Floats, goal: Floats, task: Task) -> Floats:
         """Give a frame nearer to a goal, still well linked to those before and after, if there is one."""
-        barrier = Barrier.near(as_complex(now), self.met, self.metric.size, self.room)
-        step = CAREFUL * self._step(as_complex(now), as_complex(goal), barrier)
+        energy = self._energy(now, goal)
+        step = CAREFUL * energy.step(as_complex(now))
 
         def accepted(there: Floats) -> bool:
             return self.linked(before, there) and self.linked(there, after)
 
-        taken = self._taken(now, goal, step, barrier, accepted, task)
+        taken = _taken(now, step, energy, accepted, task)
         return now if taken is None else taken
 
     def meeting(self, frames: tuple[Complex, ...]) -> "Pull":
@@ -147,12 +111,11 @@ class Pull:
         """Give frames ever nearer to a goal, or as near as the barrier and the allowance let them."""
         if self.allowance.left <= 0:
             return
-        barrier = Barrier.near(as_complex(now), self.met, self.metric.size, self.room)
+        energy = self._energy(now, goal)
         for _ in range(STEPS):
             if not self.allowance.take(len(now)):
                 return
-            step = self._step(as_complex(now), as_complex(goal), barrier)
-            after = self._taken(now, goal, step, barrier, partial(self.linked, now), task)
+            after = _taken(now, energy.step(as_complex(now)), energy, partial(self.linked, now), task)
             if after is None:
                 return
             moved = farthest(after - now)
@@ -161,32 +124,19 @@ class Pull:
             if moved < SETTLED * self.metric.size:
                 return
 
-    def _step(self, now: Complex, goal: Complex, barrier: Barrier) -> Complex:
-        """Give the Gauss-Newton step.
+    def _energy(self, now: Floats, goal: Floats) -> Energy:
+        barrier = Barrier.near(as_complex(now), self.met, self.metric.size, self.room)
+        return Energy(self.metric, barrier, as_complex(goal))
 
-        Only pairs within reach need to be solved for (Woodbury's formula): without them the step is that to
-        the goal.
-        """
-        near, away = barrier.linear(now), now - goal
-        yields, matrix = near.products(self.metric.compliance)
-        matrix.flat[:: len(matrix) + 1] += 1 / PUSH
-        pushes = np.linalg.solve(matrix, near.changes(away) - near.logarithms)
-        return np.asarray((pushes * near.slopes) @ yields - away)
 
-    def _taken(
-        self, now: Floats, goal: Floats, step: Complex, barrier: Barrier, accepted: Accepted, task: Task
-    ) -> Floats | None:
-        """Give the frame after as much of a step as lessens the energy and is good; None if hardly any is."""
-        row = as_complex(now)
-        energy = self._energy(row, goal, barrier)
-        for _ in range(HALVINGS):
-            task.reach(0)
-            there = row + step
-            if self._energy(there, goal, barrier) < energy and accepted(as_points(there)):
-                return as_points(there)
-            step = step / 2
-        return None
-
-    def _energy(self, row: Complex, goal: Floats, barrier: Barrier) -> float:
-        away = row - as_complex(goal)
-        return self.metric.strain(away) + PUSH * barrier.energy(row)
+def _taken(now: Floats, step: Complex, energy: Energy, accepted: Accepted, task: Task) -> Floats | None:
+    """Give the frame after as much of a step as lessens the energy and is good; None if hardly any is."""
+    row = as_complex(now)
+    most = energy.of(row)
+    for _ in range(HALVINGS):
+        task.reach(0)
+        there = row + step
+        if energy.of(there) < most and accepted(as_points(there)):
+            return as_points(there)
+        step = step / 2
+    return None
