@@ -500,6 +500,14 @@
         <translation>ein Teil ohne Fläche wurde weggelassen</translation>
     </message>
     <message>
+        <source>picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>font</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>give a file that ends in {endings}</source>
         <translation>geben Sie eine Datei, die auf {endings} endet</translation>
     </message>
@@ -646,6 +654,50 @@
     <message>
         <source>take fewer: at most {most}, {side} a side</source>
         <translation>nehmen Sie weniger: höchstens {most}, {side} je Seite</translation>
+    </message>
+    <message>
+        <source>the font is damaged, or of a kind that is not known here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a TrueType or OpenType font</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;{text}&quot; has no outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the font has no letter &quot;{letter}&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave it out, or take another font</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a text is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give at least one letter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what is opaque was traced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what is dark was traced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what is light was traced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>silhouette</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

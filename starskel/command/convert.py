@@ -31,7 +31,7 @@ def run(arguments: Namespace) -> int:
         )
     shapes: list[NamedShape] = []
     for path in arguments.files:
-        held = holdings(path, arguments.tolerance)
+        held = holdings(path, arguments.tolerance, arguments.text)
         shapes += held.shapes
         for named in held.shapes:
             for repair in named.repairs:

@@ -1,6 +1,6 @@
 """The shapes of any file that is known: drawings, maps, projects, files of pairs."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,7 +13,8 @@ from starskel.files.pairs import ShapePair
 from starskel.files.project import AnyPair, letter
 from starskel.files.project_file import read_project
 from starskel.reading.found import Found as NamedShape
-from starskel.reading.readers import ENDINGS, TOLERANCE, read_shapes
+from starskel.reading.readers import ENDINGS, read_shapes
+from starskel.reading.wanted import TOLERANCE
 from starskel.shapes.pairing import suggest_pairing
 from starskel.shapes.shape import Shape
 
@@ -38,7 +39,7 @@ class Holdings:
     notes: tuple[str, ...] = ()
 
 
-def holdings(path: Path, tolerance: float = TOLERANCE) -> Holdings:
+def holdings(path: Path, tolerance: float = TOLERANCE, texts: Sequence[str] = ()) -> Holdings:
     """Give the shapes of a file.
 
     Raises
@@ -47,7 +48,7 @@ def holdings(path: Path, tolerance: float = TOLERANCE) -> Holdings:
         If it cannot be read, or is of no kind that is known.
     """
     if path.suffix.lower() in ENDINGS:
-        reading = read_shapes(path, tolerance)
+        reading = read_shapes(path, tolerance, texts)
         return Holdings(path.suffix[1:].lower(), reading.shapes, reading.notes)
     if path.suffix.lower() != ".json":
         raise InvalidFile(

@@ -60,7 +60,7 @@ def run(arguments: Namespace) -> int:
     failures: list[_Failure] = []
     for path in arguments.files:
         try:
-            files.append(_file(path))
+            files.append(_file(path, arguments.text))
         except StarskelError as error:
             print(f"starskel: {error}", file=sys.stderr)
             failures.append(_Failure(str(path), str(error)))
@@ -72,8 +72,8 @@ def run(arguments: Namespace) -> int:
     return FAILED if failures else 0
 
 
-def _file(path: Path) -> _File:
-    held = holdings(path)
+def _file(path: Path, texts: list[str]) -> _File:
+    held = holdings(path, texts=texts)
     return _File(str(path), held.kind, [Held.of(named) for named in held.shapes], list(held.notes))
 
 

@@ -8,7 +8,10 @@ from starskel.blending import METHODS
 from starskel.export.formats import FORMATS, LAYOUTS
 
 _FILE = "a project of the editor, or a file of pairs (polygon-pairs/1), of shapes too (polygon-multi-pairs/1)"
-_DRAWING = "a drawing or map (.svg, .geojson, .wkt), a project or a file of pairs (.json)"
+_DRAWING = (
+    "a drawing or map (.svg, .geojson, .wkt), a picture whose silhouette is traced (.png, .jpg), a font"
+    " (.ttf, .otf), a project or a file of pairs (.json)"
+)
 
 
 def add_render(parser: argparse.ArgumentParser) -> None:
@@ -101,6 +104,7 @@ def add_convert(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--shape", action="append", metavar="NAME", help="this shape; may be given again (all)"
     )
+    _add_texts(parser)
     parser.add_argument(
         "--tolerance",
         type=_length,
@@ -116,6 +120,7 @@ def add_info(parser: argparse.ArgumentParser) -> None:
         "Print what files hold: their shapes with parts, holes, vertices, size, and what was mended."
     )
     parser.add_argument("files", type=Path, nargs="+", metavar="FILE", help=_DRAWING)
+    _add_texts(parser)
     parser.add_argument("--json", action="store_true", help="print JSON")
 
 
@@ -161,6 +166,16 @@ def _add_pair(parser: argparse.ArgumentParser, file: str = _FILE) -> None:
     parser.add_argument("file", type=Path, metavar="FILE", help=file)
     parser.add_argument("--id", metavar="ID", help="the pair; may be left out where there is but one")
     parser.add_argument("--step", type=_step, metavar="N", help="only this step of a project, from 1 (all)")
+
+
+def _add_texts(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--text",
+        action="append",
+        default=[],
+        metavar="TEXT",
+        help="of a font this text, as one shape; may be given again (its letters, each a shape)",
+    )
 
 
 def _add_methods(

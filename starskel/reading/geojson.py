@@ -9,6 +9,7 @@ import shapely
 from starskel.errors import InvalidFile, told
 from starskel.reading.areas import area_of
 from starskel.reading.found import Found, Reading, uniquely_named
+from starskel.reading.wanted import Wanted
 
 _GEOMETRIES = {
     "Point",
@@ -23,8 +24,8 @@ _GEOMETRIES = {
 _NAMES = ("name", "NAME", "title", "id")
 
 
-def read(content: bytes, tolerance: float) -> Reading:
-    """Give the shapes of a GeoJSON file, in its coordinates; there are no curves, so no tolerance is needed.
+def read(content: bytes, wanted: Wanted) -> Reading:
+    """Give the shapes of a GeoJSON file, in its coordinates; there are no curves in it.
 
     Raises
     ------

@@ -1,5 +1,6 @@
 """The readers, found by the ending of a file's name."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
@@ -8,16 +9,14 @@ from typing import Protocol, cast
 from starskel.errors import InvalidFile, either, told
 from starskel.files.disk import read_bytes
 from starskel.reading.found import Reading
-
-TOLERANCE = 0.0005
-"""How far lines may leave curves by default, as a part of the longer side of a shape's box."""
+from starskel.reading.wanted import TOLERANCE, Wanted
 
 
 class Reader(Protocol):
     """What the module of a format offers."""
 
-    def read(self, content: bytes, tolerance: float) -> Reading:
-        """Give the shapes in a file's content; `tolerance` as for `read_shapes`.
+    def read(self, content: bytes, wanted: Wanted) -> Reading:
+        """Give the shapes in a file's content.
 
         Raises
         ------
@@ -44,13 +43,15 @@ FORMATS = (
     Format("SVG", (".svg",), "svg"),
     Format("GeoJSON", (".geojson",), "geojson"),
     Format("WKT", (".wkt",), "wkt"),
+    Format(told("picture"), (".png", ".jpg", ".jpeg", ".webp", ".bmp", ".gif"), "silhouette"),
+    Format(told("font"), (".ttf", ".otf", ".ttc"), "font"),
 )
 
 ENDINGS = tuple(ending for found in FORMATS for ending in found.endings)
 
 
-def read_shapes(path: Path, tolerance: float = TOLERANCE) -> Reading:
-    """Read the shapes of a drawing or a map.
+def read_shapes(path: Path, tolerance: float = TOLERANCE, texts: Sequence[str] = ()) -> Reading:
+    """Read the shapes of a drawing or a map, the silhouette in a picture, or letters of a font.
 
     Parameters
     ----------
@@ -58,6 +59,8 @@ def read_shapes(path: Path, tolerance: float = TOLERANCE) -> Reading:
         The ending of its name tells the format.
     tolerance : float
         How far lines may leave curves, as a part of the longer side of a shape's box.
+    texts : sequence of str
+        Of a font each of these texts is a shape; by default its usual letters.
 
     Returns
     -------
@@ -77,7 +80,7 @@ def read_shapes(path: Path, tolerance: float = TOLERANCE) -> Reading:
         )
     content = read_bytes(path)
     try:
-        reading = found.reader.read(content, tolerance)
+        reading = found.reader.read(content, Wanted(tolerance, tuple(texts)))
     except InvalidFile as error:
         raise InvalidFile(told("{where}: {what}", where=path, what=error.what), error.mend) from error
     if not reading.shapes:

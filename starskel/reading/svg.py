@@ -21,6 +21,7 @@ from starskel.predicates import Floats
 from starskel.reading.curves import flattened
 from starskel.reading.found import Found, Reading, uniquely_named
 from starskel.reading.mending import Rule, shape_of_geometry, shape_of_rings
+from starskel.reading.wanted import Wanted
 from starskel.shapes.shape import Shape
 
 _SPACE = "{http://www.w3.org/2000/svg}"
@@ -34,14 +35,8 @@ _ARCS = 32
 """Parts that a round cap or joint of a stroke has for each quarter."""
 
 
-def read(content: bytes, tolerance: float) -> Reading:
+def read(content: bytes, wanted: Wanted) -> Reading:
     """Give the shapes of an SVG file, in its pixels (96 an inch), y up.
-
-    Parameters
-    ----------
-    content : bytes
-    tolerance : float
-        How far lines may leave curves, as a part of the longer side of the shape's box.
 
     Raises
     ------
@@ -56,7 +51,7 @@ def read(content: bytes, tolerance: float) -> Reading:
         shapes = [
             found
             for number, element in enumerate(elements, 1)
-            for found in _found(element, number, tolerance)
+            for found in _found(element, number, wanted.tolerance)
         ]
     except (ValueError, TypeError, AttributeError, IndexError, KeyError, ZeroDivisionError) as error:
         raise InvalidFile(

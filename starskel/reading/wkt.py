@@ -7,6 +7,7 @@ import shapely
 from starskel.errors import InvalidFile, told
 from starskel.reading.areas import area_of
 from starskel.reading.found import Found, Reading
+from starskel.reading.wanted import Wanted
 
 _BEGIN = re.compile(
     r"(?:SRID=\d+;)?\s*((?:MULTI)?(?:POLYGON|LINESTRING|POINT)|LINEARRING|GEOMETRYCOLLECTION)\b",
@@ -14,8 +15,8 @@ _BEGIN = re.compile(
 )
 
 
-def read(content: bytes, tolerance: float) -> Reading:
-    """Give the shapes of a WKT file, in its coordinates; there are no curves, so no tolerance is needed.
+def read(content: bytes, wanted: Wanted) -> Reading:
+    """Give the shapes of a WKT file, in its coordinates; there are no curves in it.
 
     Raises
     ------
