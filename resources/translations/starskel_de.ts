@@ -501,11 +501,11 @@
     </message>
     <message>
         <source>picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild</translation>
     </message>
     <message>
         <source>font</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrift</translation>
     </message>
     <message>
         <source>give a file that ends in {endings}</source>
@@ -657,47 +657,47 @@
     </message>
     <message>
         <source>the font is damaged, or of a kind that is not known here</source>
-        <translation type="unfinished"></translation>
+        <translation>die Schrift ist beschädigt, oder von einer Art, die hier nicht bekannt ist</translation>
     </message>
     <message>
         <source>give a TrueType or OpenType font</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie eine TrueType- oder OpenType-Schrift an</translation>
     </message>
     <message>
         <source>&quot;{text}&quot; has no outline</source>
-        <translation type="unfinished"></translation>
+        <translation>„{text}“ hat keinen Umriss</translation>
     </message>
     <message>
         <source>the font has no letter &quot;{letter}&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>die Schrift hat keinen Buchstaben „{letter}“</translation>
     </message>
     <message>
         <source>leave it out, or take another font</source>
-        <translation type="unfinished"></translation>
+        <translation>lassen Sie ihn weg, oder nehmen Sie eine andere Schrift</translation>
     </message>
     <message>
         <source>a text is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Text ist leer</translation>
     </message>
     <message>
         <source>give at least one letter</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie mindestens einen Buchstaben an</translation>
     </message>
     <message>
         <source>what is opaque was traced</source>
-        <translation type="unfinished"></translation>
+        <translation>nachgezeichnet wurde, was undurchsichtig ist</translation>
     </message>
     <message>
         <source>what is dark was traced</source>
-        <translation type="unfinished"></translation>
+        <translation>nachgezeichnet wurde, was dunkel ist</translation>
     </message>
     <message>
         <source>what is light was traced</source>
-        <translation type="unfinished"></translation>
+        <translation>nachgezeichnet wurde, was hell ist</translation>
     </message>
     <message>
         <source>silhouette</source>
-        <translation type="unfinished"></translation>
+        <translation>Silhouette</translation>
     </message>
 </context>
 <context>
