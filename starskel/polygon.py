@@ -1,5 +1,6 @@
 """Polygon: the one place where rings are checked and oriented."""
 
+from collections.abc import Iterator
 from functools import cached_property
 
 import numpy as np
@@ -8,10 +9,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from starskel.errors import InvalidPolygon, told
 from starskel.outline import signed_areas
-from starskel.predicates import LARGEST, ROUNDING, Floats, folds_back, segments_meet
+from starskel.predicates import LARGEST, ROUNDING, Floats, Indices, folds_back, orientation, segments_meet
 
 CLEARANCE = 4
 """Roundings of the largest coordinate: so far vertices must stay from edges that they are no end of."""
+
+CANDIDATES = 500_000
+"""So many pairs of edges are looked at in one go: a tangle has as many as its edges squared."""
 
 
 class Polygon:
@@ -74,18 +78,46 @@ def crossing_edges(ring: Floats) -> NDArray[np.intp]:
 
     Edge i runs from vertex i to the next. Neighbouring edges meet wrongly where one folds back on the other.
     """
+    return np.concatenate(list(_crossings(ring)))
+
+
+def _crossings(ring: Floats) -> Iterator[NDArray[np.intp]]:
+    """Give the same block by block, in order."""
     n = len(ring)
     ends = np.roll(ring, -1, axis=0)
     edges = shapely.linestrings(np.stack([ring, ends], axis=1))
-    i, j = shapely.STRtree(edges).query(edges)
-    i, j = i[i < j], j[i < j]
-    apart = (j - i > 1) & (j - i < n - 1)
-    i, j = i[apart], j[apart]
-    meet = segments_meet(ring[i], ends[i], ring[j], ends[j])
+    tree = shapely.STRtree(edges)
     spikes = np.flatnonzero(folds_back(np.roll(ring, 1, axis=0), ring, ends))
     folded = np.sort(np.stack([(spikes - 1) % n, spikes], axis=1), axis=1)
-    pairs: NDArray[np.intp] = np.concatenate([folded, np.stack([i[meet], j[meet]], axis=1)])
-    return pairs[np.lexsort(pairs.T[::-1])]
+    for block in _blocks(ring, ends):
+        i, j = tree.query(edges[block])
+        i = block[i]
+        apart = (j - i > 1) & (j - i < n - 1)
+        i, j = i[apart], j[apart]
+        meet = segments_meet(ring[i], ends[i], ring[j], ends[j])
+        own = folded[(block[0] <= folded[:, 0]) & (folded[:, 0] <= block[-1])]
+        pairs: NDArray[np.intp] = np.concatenate([own, np.stack([i[meet], j[meet]], axis=1)])
+        yield pairs[np.lexsort(pairs.T[::-1])]
+
+
+def _blocks(starts: Floats, ends: Floats) -> list[Indices]:
+    """Cut the numbers of the edges where the pairs of overlapping boxes would become too many.
+
+    They are counted from above: boxes that overlap do so in x and in y.
+    """
+    numbers = np.arange(len(starts))
+    if len(starts) ** 2 <= CANDIDATES:
+        return [numbers]
+    low, high = np.minimum(starts, ends), np.maximum(starts, ends)
+    overlaps = np.min(
+        [
+            np.searchsorted(np.sort(low[:, axis]), high[:, axis], "right")
+            - np.searchsorted(np.sort(high[:, axis]), low[:, axis], "left")
+            for axis in (0, 1)
+        ],
+        axis=0,
+    )
+    return np.split(numbers, np.flatnonzero(np.diff(overlaps.cumsum() // CANDIDATES)) + 1)
 
 
 def meeting_places(ring: Floats, pairs: NDArray[np.intp]) -> Floats:
@@ -152,12 +184,13 @@ def _check_repeats(rows: Floats) -> None:
 
 
 def _check_simple(rows: Floats) -> None:
-    pairs = crossing_edges(rows)
-    if not len(pairs):
+    pairs = next((block for block in _crossings(rows) if len(block)), None)
+    if pairs is None:
         return
     n = len(rows)
     i, j = (int(k) for k in pairs[0])
-    if len(pairs) >= n - 1 and not np.abs(signed_areas(rows)) > 0:
+    first, last = np.lexsort(rows.T)[[0, -1]]
+    if not orientation(rows[first], rows[last], rows).any():
         raise InvalidPolygon(
             told("all vertices lie on one line: the area is zero"), told("move a vertex off the line")
         )

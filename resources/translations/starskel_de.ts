@@ -172,6 +172,10 @@
         <translation>{path} kann nicht als Ordner angelegt werden: {reason}</translation>
     </message>
     <message>
+        <source>bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No such file or directory</source>
         <translation>Datei oder Ordner nicht gefunden</translation>
     </message>
@@ -206,6 +210,10 @@
     <message>
         <source>give a file of the format {names}</source>
         <translation>wählen Sie eine Datei des Formats {names}</translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>correct the file at this place</source>
@@ -560,14 +568,6 @@
         <translation>geben Sie Text, der wie „POLYGON ((0 0, “ beginnt</translation>
     </message>
     <message>
-        <source>{name} has {count} bytes</source>
-        <translation>{name} hat {count} Bytes</translation>
-    </message>
-    <message>
-        <source>give a picture of at most {most} bytes</source>
-        <translation>geben Sie ein Bild von höchstens {most} Bytes an</translation>
-    </message>
-    <message>
         <source>{name} is no picture, or of a kind that is not known here</source>
         <translation>{name} ist kein Bild, oder eines von unbekannter Art</translation>
     </message>
@@ -698,6 +698,18 @@
     <message>
         <source>silhouette</source>
         <translation>Silhouette</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has {count} {what}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a file with at most {most} {what}</source>
+        <translation>geben Sie eine andere Datei an; erlaubt sind höchstens {most} {what}</translation>
     </message>
 </context>
 <context>

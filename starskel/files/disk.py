@@ -2,24 +2,37 @@
 
 import contextlib
 import errno
+import hashlib
 import os
 import secrets
 import stat
 from pathlib import Path
 
 from starskel.errors import InvalidFile, told
+from starskel.limits import DOCUMENT_BYTES, check_limit
+
+_CHUNK = 1 << 20
+"""Bytes that are read at a time: of what has no end, such as a device, no more than the limit."""
 
 
-def read_bytes(path: Path) -> bytes:
-    """Give what a file holds.
+def read_bytes(path: Path, most: int = DOCUMENT_BYTES) -> bytes:
+    """Give what a file holds, of at most so many bytes.
 
     Raises
     ------
     InvalidFile
-        If it cannot be read, saying why.
+        If it cannot be read or is larger, saying why.
     """
     try:
-        return path.read_bytes()
+        with path.open("rb") as stream:
+            _check_size(path, os.fstat(stream.fileno()).st_size, most)
+            content = bytearray()
+            while chunk := stream.read(_CHUNK):
+                content += chunk
+                _check_size(path, len(content), most)
+            return bytes(content)
+    except InvalidFile:
+        raise
     except OSError as error:
         raise InvalidFile(
             told("{path} cannot be read: {reason}", path=path, reason=_reason(error)),
@@ -29,6 +42,17 @@ def read_bytes(path: Path) -> bytes:
         raise InvalidFile(
             told("{path} is no path", path=repr(str(path))), told("give the path of a readable file")
         ) from error
+
+
+def digest_of(path: Path) -> str | None:
+    """Give a word that tells what a file holds from everything else; None where it cannot be read."""
+    try:
+        if not path.is_file():
+            return None
+        with path.open("rb") as stream:
+            return hashlib.file_digest(stream, "sha256").hexdigest()
+    except (OSError, ValueError):
+        return None
 
 
 def write_bytes(path: Path, content: bytes) -> None:
@@ -87,10 +111,25 @@ def _replace(target: Path, content: bytes) -> None:
         if target.exists():
             temporary.chmod(stat.S_IMODE(target.stat().st_mode))
         temporary.replace(target)
+        _settle(target.parent)
     except BaseException:
         with contextlib.suppress(OSError):
             temporary.unlink()
         raise
+
+
+def _settle(folder: Path) -> None:
+    """Have the disk know of a new name in a folder; not every file system can do that, or needs to."""
+    with contextlib.suppress(OSError):
+        descriptor = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
+
+
+def _check_size(path: Path, count: int, most: int) -> None:
+    check_limit(str(path), told("bytes"), count, most)
 
 
 def _reason(error: OSError) -> str:

@@ -7,6 +7,7 @@ import msgspec
 
 from starskel.errors import InvalidFile, either, told
 from starskel.files.disk import read_bytes, write_bytes
+from starskel.limits import DOCUMENT_VALUES, check_limit
 
 Document = TypeVar("Document")
 
@@ -56,9 +57,12 @@ def read_document(path: Path, kind: type[Document]) -> Document:
     Raises
     ------
     InvalidFile
-        If the file cannot be read, is no JSON, or holds other things than the type says, naming the place.
+        If the file cannot be read or is too large, is no JSON, or holds other things than the type says,
+        naming the place.
     """
     content = read_bytes(path).removeprefix(_BYTE_ORDER_MARK)
+    values = sum(content.count(sign) for sign in (b",", b"[", b"{"))
+    check_limit(str(path), told("values"), values, DOCUMENT_VALUES)
     try:
         return msgspec.json.decode(content, type=kind)
     except msgspec.ValidationError as error:

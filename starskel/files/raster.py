@@ -1,7 +1,4 @@
-"""Pictures as files: read with limits that are checked before memory is taken; written one by one or moving.
-
-The limits stand here: what is larger is refused, naming limit and value.
-"""
+"""Pictures as files: read within limits checked before memory is taken; written one by one or moving."""
 
 import io
 import struct
@@ -14,13 +11,8 @@ from PIL import Image, ImageOps, ImageSequence, UnidentifiedImageError
 
 from starskel.errors import InvalidFile, either, told
 from starskel.files.disk import read_bytes, write_bytes
-from starskel.images.placed import LARGEST_SIDE, Pixels
-
-MOST_BYTES = 200_000_000
-"""The largest file of a picture that is read."""
-
-MOST_PIXELS = 50_000_000
-"""Pictures of more pixels are refused; in memory each takes four bytes, and 16 more while it is used."""
+from starskel.images.placed import Pixels
+from starskel.limits import PICTURE_BYTES, PICTURE_PIXELS, PICTURE_SIDE, check_limit
 
 MOST_MOVING_PIXELS = 250_000_000
 """All frames of an animation that is written have no more pixels: they are in memory together, some twice."""
@@ -34,6 +26,9 @@ MOVING = (".gif", ".apng", ".webp")
 _FAULTS = (OSError, ValueError, SyntaxError, EOFError, TypeError, KeyError, IndexError, struct.error)
 """What Pillow raises on damaged files."""
 
+_STRIP = 256
+"""Rows that are converted at a time."""
+
 _OPAQUE = 128
 """From this alpha on a pixel of a GIF is opaque: GIF knows nothing between."""
 
@@ -46,7 +41,7 @@ def read_image(path: Path) -> Pixels:
     InvalidFile
         If it cannot be read, is no picture of a kind that is known, is damaged, or exceeds a limit.
     """
-    return image_of(read_bytes(path), str(path))
+    return image_of(read_bytes(path, PICTURE_BYTES), str(path))
 
 
 def image_of(content: bytes, name: str = "the picture") -> Pixels:
@@ -63,11 +58,7 @@ def image_of(content: bytes, name: str = "the picture") -> Pixels:
     InvalidFile
         If it is no picture of a kind that is known, is damaged, or exceeds a limit.
     """
-    if len(content) > MOST_BYTES:
-        raise InvalidFile(
-            told("{name} has {count} bytes", name=name, count=len(content)),
-            told("give a picture of at most {most} bytes", most=MOST_BYTES),
-        )
+    check_limit(name, told("bytes"), len(content), PICTURE_BYTES)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", Image.DecompressionBombWarning)  # the size is checked below
@@ -82,10 +73,11 @@ def image_of(content: bytes, name: str = "the picture") -> Pixels:
     except _FAULTS as error:
         raise _damaged(name, error) from error
     width, height = image.size
-    if width * height > MOST_PIXELS or max(width, height) > LARGEST_SIDE:
+    if width * height > PICTURE_PIXELS or max(width, height) > PICTURE_SIDE:
         raise _too_large(name, told("{width} × {height}", width=width, height=height))
     try:
-        return _pixels(ImageOps.exif_transpose(image))
+        ImageOps.exif_transpose(image, in_place=True)
+        return _pixels(image)
     except _FAULTS as error:
         raise _damaged(name, error) from error
 
@@ -168,11 +160,11 @@ def read_animation(path: Path) -> tuple[list[Pixels], list[float]]:
     InvalidFile
         As by `read_image`; all frames together are held to the limit of pixels.
     """
-    content = read_bytes(path)
+    content = read_bytes(path, PICTURE_BYTES)
     image_of(content, str(path))
     with Image.open(io.BytesIO(content), formats=FORMATS) as image:
         count = getattr(image, "n_frames", 1)
-        if count * image.width * image.height > MOST_PIXELS:
+        if count * image.width * image.height > PICTURE_PIXELS:
             size = told(
                 "{count} times {width} × {height}", count=count, width=image.width, height=image.height
             )
@@ -185,10 +177,20 @@ def read_animation(path: Path) -> tuple[list[Pixels], list[float]]:
 
 
 def _pixels(image: Image.Image) -> Pixels:
+    """Give the pixels, strip by strip: Pillow takes several copies of what it converts."""
+    pixels = np.empty((image.height, image.width, 4), dtype=np.uint8)
+    image.load()
+    for top in range(0, image.height, _STRIP):
+        bottom = min(top + _STRIP, image.height)
+        pixels[top:bottom] = _strip(image.crop((0, top, image.width, bottom)))
+    return pixels
+
+
+def _strip(image: Image.Image) -> Pixels:
     if image.mode.startswith("I"):  # 16 bits a pixel, which would be cut off at 255
         grey = np.asarray(image, dtype=np.int64).clip(0, 65535)
         image = Image.fromarray((grey // 257).astype(np.uint8))
-    return np.array(image.convert("RGBA"))
+    return np.asarray(image.convert("RGBA"))
 
 
 def _indexed(pixels: Pixels) -> Image.Image:
@@ -221,7 +223,7 @@ def _whole(durations: Sequence[float], unit: int) -> list[int]:
 def _too_large(name: str, size: str) -> InvalidFile:
     return InvalidFile(
         told("{name} has too many pixels: {size}", name=name, size=size),
-        told("scale it down to at most {most} pixels, {side} a side", most=MOST_PIXELS, side=LARGEST_SIDE),
+        told("scale it down to at most {most} pixels, {side} a side", most=PICTURE_PIXELS, side=PICTURE_SIDE),
     )
 
 

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from starskel.correspondence.marks import Mark, checked_marks
 from starskel.errors import InvalidFile, InvalidMarks, InvalidPolygon, told
+from starskel.limits import RING_VERTICES, check_limit
 from starskel.polygon import Polygon
 
 Row = tuple[float, float]
@@ -20,8 +21,9 @@ def polygon_of(rows: Sequence[Row], where: str) -> Polygon:
     Raises
     ------
     InvalidFile
-        From the polygon's own error, with `where` put in front.
+        If it has too many vertices, or from the polygon's own error, with `where` put in front.
     """
+    check_limit(where, told("vertices"), len(rows), RING_VERTICES)
     try:
         return Polygon(rows)
     except InvalidPolygon as error:

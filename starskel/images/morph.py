@@ -27,9 +27,10 @@ from starskel.errors import StarskelError
 from starskel.images.canvas import Canvas, Image, lay, trim
 from starskel.images.carriers import carriers_of
 from starskel.images.part import Part, Seen, part_of
-from starskel.images.placed import LARGEST_SIDE, Pixels, PlacedImage
+from starskel.images.placed import Pixels, PlacedImage
 from starskel.images.precise import Precise
 from starskel.images.preview import Preview
+from starskel.limits import PICTURE_SIDE
 from starskel.shapes.shape_blend import ShapeBlend
 from starskel.task import Progress, ShouldStop, Task
 
@@ -236,9 +237,9 @@ def _checked_size(size: Size | int, view: View) -> Size:
         scale = size / max(right - left, top - bottom)
         size = max(1, round((right - left) * scale)), max(1, round((top - bottom) * scale))
     width, height = size
-    if not 1 <= min(width, height) <= max(width, height) <= LARGEST_SIDE:
+    if not 1 <= min(width, height) <= max(width, height) <= PICTURE_SIDE:
         raise StarskelError(
-            f"an image of {width} × {height} pixels", f"give from 1 to {LARGEST_SIDE} pixels a side"
+            f"an image of {width} × {height} pixels", f"give from 1 to {PICTURE_SIDE} pixels a side"
         )
     return width, height
 

@@ -4,14 +4,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from starskel.errors import StarskelError
+from starskel.limits import PICTURE_SIDE
 from starskel.polar import as_complex
 from starskel.predicates import Floats
 
 Pixels = NDArray[np.uint8]
 """(h, w, 4) rows from top to bottom: red, green, blue, and alpha, which is straight."""
-
-LARGEST_SIDE = 16_384
-"""Pictures have no more pixels a side: coordinates in them are kept in 16 bits and a fraction."""
 
 
 class PlacedImage:
@@ -86,11 +84,11 @@ def _checked_pixels(given: ArrayLike) -> Pixels:
             f"a picture of shape {pixels.shape} and type {pixels.dtype}",
             "give an array of shape (h, w, 4) or (h, w, 3) of uint8",
         )
-    if max(pixels.shape) > LARGEST_SIDE:
+    if max(pixels.shape) > PICTURE_SIDE:
         height, width = pixels.shape[:2]
         raise StarskelError(
             f"a picture of {width} × {height} pixels",
-            f"scale it down to at most {LARGEST_SIDE} pixels a side",
+            f"scale it down to at most {PICTURE_SIDE} pixels a side",
         )
     if pixels.shape[2] == 3:
         return np.concatenate([pixels, np.full((*pixels.shape[:2], 1), 255, dtype=np.uint8)], axis=2)

@@ -1,3 +1,5 @@
+import tracemalloc
+
 import numpy as np
 import pytest
 import shapely
@@ -96,3 +98,30 @@ def test_a_vertex_within_the_rounding_of_an_edge_is_refused(far):
     with pytest.raises(InvalidPolygon, match="vertex 4 all but touches edge 0-1") as caught:
         Polygon(np.array([(0, 0), (4, 0), (4, 4), (3, 4), (2, near), (1, 4), (0, 4)]) + far)
     assert caught.value.vertices == (4, 0, 1)
+
+
+def test_crossings_are_the_same_whatever_the_blocks(monkeypatch):
+    tangle = np.random.default_rng(1).random((80, 2))
+    whole = crossing_edges(tangle)
+    assert len(whole) > 100
+    for candidates in (1, 100, 1000):
+        monkeypatch.setattr("starskel.polygon.CANDIDATES", candidates)
+        np.testing.assert_array_equal(crossing_edges(tangle), whole)
+
+
+def test_a_tangle_is_refused_without_taking_memory_for_all_its_crossings():
+    points = np.random.default_rng(1).random((20_000, 2))  # some 40 million crossings
+    tracemalloc.start()
+    try:
+        with pytest.raises(InvalidPolygon, match="cross or touch"):
+            Polygon(points)
+        assert tracemalloc.get_traced_memory()[1] < 200e6
+    finally:
+        tracemalloc.stop()
+
+
+def test_ten_thousand_vertices_on_one_line_are_a_side_of_a_polygon_or_none():
+    line = np.stack([np.arange(10_000.0), np.zeros(10_000)], axis=1)
+    assert Polygon([*line, (5000, 3)]).area == 9999 * 1.5
+    with pytest.raises(InvalidPolygon, match="area is zero"):
+        Polygon(line)

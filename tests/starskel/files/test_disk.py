@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from starskel.errors import InvalidFile
-from starskel.files.disk import read_bytes, write_bytes
+from starskel.files.disk import digest_of, read_bytes, write_bytes
 
 
 def test_what_is_written_is_read(tmp_path):
@@ -81,3 +81,47 @@ def test_a_missing_folder_is_named(tmp_path):
 def test_what_cannot_be_read_is_an_invalid_file(tmp_path, path, reason):
     with pytest.raises(InvalidFile, match=reason):
         read_bytes(Path(tmp_path / path))
+
+
+def test_what_is_larger_than_the_limit_is_not_read(tmp_path):
+    path = tmp_path / "sparse"
+    with path.open("wb") as stream:
+        stream.truncate(10**12)  # takes no room on the disk
+    with pytest.raises(
+        InvalidFile, match="sparse has 1000000000000 bytes; give a file with at most 200000000 bytes"
+    ):
+        read_bytes(path)
+
+
+def test_of_what_never_ends_no_more_than_the_limit_is_read():
+    with pytest.raises(InvalidFile, match=r"/dev/zero has .* at most 3000000 bytes"):
+        read_bytes(Path("/dev/zero"), 3_000_000)
+
+
+def test_file_and_folder_are_on_the_disk_before_saving_ends(tmp_path, monkeypatch):
+    settled = []
+    fsync = os.fsync
+
+    def note(descriptor):
+        settled.append(
+            (stat.S_ISDIR(os.fstat(descriptor).st_mode), sorted(p.name for p in tmp_path.iterdir()))
+        )
+        fsync(descriptor)
+
+    monkeypatch.setattr(os, "fsync", note)
+    write_bytes(tmp_path / "a", b"content")
+    (first_is_folder, before), (second_is_folder, after) = settled
+    assert (first_is_folder, second_is_folder) == (False, True)
+    assert "a" not in before
+    assert after == ["a"]
+
+
+def test_a_digest_tells_whether_a_file_is_the_same(tmp_path):
+    path = tmp_path / "a"
+    assert digest_of(path) is digest_of(tmp_path) is None
+    path.write_bytes(b"one")
+    first = digest_of(path)
+    path.write_bytes(b"two")
+    assert digest_of(path) not in (first, None)
+    path.write_bytes(b"one")
+    assert digest_of(path) == first

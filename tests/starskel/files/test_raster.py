@@ -103,7 +103,7 @@ def test_pictures_with_too_many_pixels_are_refused_before_memory_is_taken(size):
 
 
 def test_too_large_files_are_refused(monkeypatch):
-    monkeypatch.setattr(raster, "MOST_BYTES", 100)
+    monkeypatch.setattr(raster, "PICTURE_BYTES", 100)
     with pytest.raises(InvalidFile, match="at most 100 bytes"):
         image_of(bytes(101))
 
@@ -111,7 +111,7 @@ def test_too_large_files_are_refused(monkeypatch):
 def test_moving_pictures_are_held_to_the_limit_as_a_whole(tmp_path, monkeypatch):
     path = tmp_path / "morph.gif"
     write_animation(path, [waves(20, 20, k) for k in range(5)], [0.1] * 5)
-    monkeypatch.setattr(raster, "MOST_PIXELS", 1000)
+    monkeypatch.setattr(raster, "PICTURE_PIXELS", 1000)
     with pytest.raises(InvalidFile, match="too many pixels: 5 times 20 × 20"):
         read_animation(path)
 
@@ -127,7 +127,7 @@ def test_cut_off_and_flipped_files_are_damaged_or_read(kind):
         for place in rng.integers(0, len(broken), 3):
             broken[place] ^= 1 << rng.integers(8)
         with contextlib.suppress(InvalidFile):  # no other error, and no memory without end
-            assert image_of(bytes(broken)).nbytes <= 4 * raster.MOST_PIXELS
+            assert image_of(bytes(broken)).nbytes <= 4 * raster.PICTURE_PIXELS
 
 
 @pytest.mark.parametrize("junk", [b"", b"GIF89a", b"<svg/>", b"\x89PNG\r\n\x1a\n", bytes(1000)])
@@ -136,3 +136,20 @@ def test_what_is_no_picture_is_refused(junk, tmp_path):
     path.write_bytes(junk)
     with pytest.raises(InvalidFile, match=r"picture\.png"):
         read_image(path)
+
+
+@pytest.mark.parametrize("mode", ["L", "LA", "P", "RGB", "I;16"])
+def test_pictures_of_any_kind_are_converted_strip_by_strip(mode, monkeypatch):
+    grey = np.add.outer(np.arange(37), np.arange(21)).astype(np.uint8)
+    image = (
+        Image.fromarray(grey.astype(np.uint16) * 257)
+        if mode == "I;16"
+        else Image.fromarray(grey).convert(mode)
+    )
+    stream = io.BytesIO()
+    image.save(stream, "PNG")
+    whole = image_of(stream.getvalue())
+    monkeypatch.setattr(raster, "_STRIP", 5)
+    assert np.array_equal(image_of(stream.getvalue()), whole)
+    assert np.array_equal(whole[..., 0], grey)
+    assert (whole[..., 3] == 255).all()

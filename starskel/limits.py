@@ -1,0 +1,61 @@
+"""Limits: what is larger is refused, before memory is taken for it.
+
+They are far above what people draw. Of hostile files they leave so little that each is read or refused
+within about two seconds and half a gigabyte. The largest coordinate is `predicates.LARGEST`, on which no
+memory depends.
+"""
+
+from starskel.errors import InvalidFile, told
+
+DOCUMENT_BYTES = 200_000_000
+"""A project or a file of pairs: most of it may be pictures."""
+
+DOCUMENT_VALUES = 3_000_000
+"""Numbers, texts, lists and objects of a JSON document: a vertex counts three."""
+
+DRAWING_BYTES = 20_000_000
+"""An SVG, GeoJSON or WKT file."""
+
+DRAWING_VERTICES = 200_000
+"""Points of all curves and lines of a drawing or a map."""
+
+DEPTH = 100
+"""How deep lists, objects and elements may be nested."""
+
+ELEMENTS = 50_000
+"""Elements of an SVG file, those included that `use` repeats."""
+
+RING_VERTICES = 100_000
+"""Vertices of a ring of a file."""
+
+PICTURE_BYTES = 200_000_000
+"""A file of a picture."""
+
+PICTURE_PIXELS = 50_000_000
+"""Pixels of a picture; in memory each takes four bytes, and 16 more while it is used."""
+
+PICTURE_SIDE = 16_384
+"""Pixels of each side of a picture: coordinates in it are kept in 16 bits and a fraction."""
+
+
+def check_limit(name: str, what: str, count: int, most: int) -> None:
+    """Refuse what there is too much of.
+
+    Parameters
+    ----------
+    name : str
+        What errors call the file.
+    what : str
+        What is counted, in the plural.
+    count, most : int
+
+    Raises
+    ------
+    InvalidFile
+        Naming the limit and the value.
+    """
+    if count > most:
+        raise InvalidFile(
+            told("{name} has {count} {what}", name=name, count=count, what=what),
+            told("give a file with at most {most} {what}", most=most, what=what),
+        )
