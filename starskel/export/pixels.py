@@ -17,8 +17,8 @@ from pypdfium2 import raw
 from starskel.errors import StarskelError, told
 from starskel.export.film import Film
 from starskel.export.pdf import pdf_document
-from starskel.files.raster import MOST_PIXELS
-from starskel.images.placed import LARGEST_SIDE, Pixels
+from starskel.images.placed import Pixels
+from starskel.limits import PICTURE_PIXELS, PICTURE_SIDE
 from starskel.sheet.drawing import Drawing, Group, Item
 from starskel.sheet.drawing import Image as DrawnImage
 from starskel.task import Task
@@ -112,10 +112,10 @@ def size_of(drawing: Drawing, longer_side: int | None = None) -> tuple[int, int]
     """Give width and height of the picture of a drawing, in pixels; parameters as for `pixels_of`."""
     scale = DOTS if longer_side is None else longer_side / max(drawing.width, drawing.height)
     width, height = (max(round(side * scale), 1) for side in (drawing.width, drawing.height))
-    if max(width, height) > LARGEST_SIDE or width * height > MOST_PIXELS:
+    if max(width, height) > PICTURE_SIDE or width * height > PICTURE_PIXELS:
         raise StarskelError(
             told("a picture of {width} × {height} pixels is too large", width=width, height=height),
-            told("take fewer: at most {most}, {side} a side", most=MOST_PIXELS, side=LARGEST_SIDE),
+            told("take fewer: at most {most}, {side} a side", most=PICTURE_PIXELS, side=PICTURE_SIDE),
         )
     return width, height
 
