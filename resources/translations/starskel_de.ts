@@ -173,7 +173,7 @@
     </message>
     <message>
         <source>bytes</source>
-        <translation type="unfinished"></translation>
+        <translation>Bytes</translation>
     </message>
     <message>
         <source>No such file or directory</source>
@@ -213,7 +213,7 @@
     </message>
     <message>
         <source>values</source>
-        <translation type="unfinished"></translation>
+        <translation>Werte</translation>
     </message>
     <message>
         <source>correct the file at this place</source>
@@ -701,11 +701,11 @@
     </message>
     <message>
         <source>vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>Eckpunkte</translation>
     </message>
     <message>
         <source>{name} has {count} {what}</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}: {count} {what}</translation>
     </message>
     <message>
         <source>give a file with at most {most} {what}</source>
