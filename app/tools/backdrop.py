@@ -7,9 +7,11 @@ from app.model import placing
 from app.model.document import Point
 from app.model.marks import Side
 from app.model.texts import QT_TRANSLATE_NOOP
+from app.tools.outcome import drawn_parts
 from app.tools.picture import MOVE, SCALE, TURNING, PictureTool, put_picture
 from app.tools.tool import Response, Scene
 from starskel.files.picture import Picture
+from starskel.shapes.shape import Shape
 
 
 def with_picture(scene: Scene, side: Side, picture: Picture) -> Response:
@@ -55,6 +57,12 @@ def turn_picture(scene: Scene, side: Side, degrees: float) -> Response:
         return Response(PictureTool(side))
     turned = placing.turned(replace(picture, rotation=0.0), radians(degrees))
     return put_picture(scene, side, turned, TURNING, joined=True)
+
+
+def traced(scene: Scene, side: Side, shape: Shape) -> Response:
+    """Put an outline that was traced in the place of the shape, with all its parts and holes."""
+    rings = [ring.vertices for ring in shape.rings]
+    return drawn_parts(scene, side, rings, PictureTool(side), QT_TRANSLATE_NOOP("Step", "Trace outline"))
 
 
 def _changed(scene: Scene, side: Side, name: str, *, joined: bool = False, **values: object) -> Response:

@@ -19,7 +19,6 @@ from app.view.commands.actions import Actions
 from app.view.commands.menus import fill_menu_bar, layers_menu, methods_menu, tool_bar, tool_palette
 from app.view.commands.table import LANGUAGES, PALETTE
 from app.view.convenience import Convenience
-from app.view.files.backgrounds import Backgrounds
 from app.view.files.drops import Drops
 from app.view.files.files import Files
 from app.view.files.project_menus import ExamplesMenu, RecentMenu
@@ -30,6 +29,7 @@ from app.view.lists.parts_list import PartsPanel
 from app.view.painting.display import Display
 from app.view.painting.theme import DARK, LIGHT, Theme, apply_theme, theme_of
 from app.view.panels.panels import Panels
+from app.view.pictures.backgrounds import Backgrounds
 from app.view.sequence.sequence_bar import SequenceBar
 from app.view.sequence.sequencing import Sequencing
 from app.view.status import Status

@@ -711,6 +711,14 @@
         <source>give a file with at most {most} {what}</source>
         <translation>geben Sie eine andere Datei an; erlaubt sind höchstens {most} {what}</translation>
     </message>
+    <message>
+        <source>the picture could not be traced</source>
+        <translation>das Bild konnte nicht nachgezeichnet werden</translation>
+    </message>
+    <message>
+        <source>take another picture</source>
+        <translation>nehmen Sie ein anderes Bild</translation>
+    </message>
 </context>
 <context>
     <name>AboutDialog</name>
@@ -1355,6 +1363,14 @@
         <translation>Ein Bild hinter die zuletzt bearbeitete Form legen</translation>
     </message>
     <message>
+        <source>&amp;Trace Outline…</source>
+        <translation>Umriss na&amp;chzeichnen…</translation>
+    </message>
+    <message>
+        <source>Draw the shape along the edge of what is seen in the picture</source>
+        <translation>Die Form am Rand dessen zeichnen, was auf der Vorlage zu sehen ist</translation>
+    </message>
+    <message>
         <source>&amp;Lock Picture</source>
         <translation>Vorlage &amp;sperren</translation>
     </message>
@@ -1616,6 +1632,20 @@
         <translation>
             <numerusform>%n Marke</numerusform>
             <numerusform>%n Marken</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts</source>
+        <translation>
+            <numerusform>%n Teil</numerusform>
+            <numerusform>%n Teile</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n holes</source>
+        <translation>
+            <numerusform>%n Loch</numerusform>
+            <numerusform>%n Löcher</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2803,6 +2833,10 @@
         <translation>Vorlage zuschneiden</translation>
     </message>
     <message>
+        <source>Trace outline</source>
+        <translation>Umriss nachzeichnen</translation>
+    </message>
+    <message>
         <source>Add key shape</source>
         <translation>Schlüsselform anfügen</translation>
     </message>
@@ -2995,6 +3029,60 @@
     <message>
         <source>{pixels} px</source>
         <translation>{pixels} px</translation>
+    </message>
+</context>
+<context>
+    <name>TraceDialog</name>
+    <message>
+        <source>Trace outline</source>
+        <translation>Umriss nachzeichnen</translation>
+    </message>
+    <message>
+        <source>What is opaque</source>
+        <translation>Was deckt</translation>
+    </message>
+    <message>
+        <source>What is dark</source>
+        <translation>Was dunkel ist</translation>
+    </message>
+    <message>
+        <source>What is light</source>
+        <translation>Was hell ist</translation>
+    </message>
+    <message>
+        <source>All parts, not the largest alone</source>
+        <translation>Alle Teile, nicht nur den größten</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
+        <source>&amp;Trace</source>
+        <translation>&amp;Nachzeichnen</translation>
+    </message>
+    <message>
+        <source>T&amp;hreshold</source>
+        <translation>&amp;Schwelle</translation>
+    </message>
+    <message>
+        <source>&amp;Simplify</source>
+        <translation>&amp;Vereinfachen</translation>
+    </message>
+    <message>
+        <source>Trace &amp;Outline</source>
+        <translation>&amp;Umriss nachzeichnen</translation>
+    </message>
+    <message>
+        <source>{pixels} px</source>
+        <translation>{pixels} px</translation>
+    </message>
+</context>
+<context>
+    <name>TracePreview</name>
+    <message>
+        <source>The wheel zooms, dragging moves the picture</source>
+        <translation>Das Rad vergrößert, Ziehen verschiebt das Bild</translation>
     </message>
 </context>
 <context>

@@ -31,7 +31,7 @@ class PicturePage(Placing):
         self._opacity.setRange(5, 100)
         self._opacity.setFixedWidth(90)
         self.add(self.tr("Opacity"), self._opacity)
-        for name in ("picture-crop", "picture-lock", "picture-remove", "picture-open"):
+        for name in ("picture-trace", "picture-crop", "picture-lock", "picture-remove", "picture-open"):
             button = QToolButton()
             button.setDefaultAction(actions[name])
             button.setAutoRaise(True)
@@ -74,7 +74,7 @@ class PicturePage(Placing):
     @Slot()
     def _show(self) -> None:
         picture = self._picture
-        for name in ("picture-lock", "picture-crop", "picture-remove"):
+        for name in ("picture-trace", "picture-lock", "picture-crop", "picture-remove"):
             self._actions[name].setEnabled(picture is not None)
         self._actions["picture-lock"].setChecked(picture is not None and picture.locked)
         self._actions["picture-crop"].setChecked(picture is not None and picture.cropped)

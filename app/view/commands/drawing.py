@@ -188,6 +188,12 @@ PICTURE = (
         ("Ctrl+Shift+O",),
     ),
     Command(
+        "picture-trace",
+        QT_TRANSLATE_NOOP("Command", "&Trace Outline…"),
+        QT_TRANSLATE_NOOP("Command", "Draw the shape along the edge of what is seen in the picture"),
+        ("Ctrl+Shift+E",),
+    ),
+    Command(
         "picture-lock",
         QT_TRANSLATE_NOOP("Command", "&Lock Picture"),
         QT_TRANSLATE_NOOP("Command", "Let the picture stay where it is"),

@@ -12,6 +12,12 @@ class Counts(QObject):
     def marks(self, count: int) -> str:
         return self.tr("%n marks", "", count)
 
+    def parts(self, count: int) -> str:
+        return self.tr("%n parts", "", count)
+
+    def holes(self, count: int) -> str:
+        return self.tr("%n holes", "", count)
+
     def seconds_left(self, count: int) -> str:
         return self.tr("about %n seconds left", "", count)
 

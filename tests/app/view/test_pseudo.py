@@ -5,6 +5,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QTimer
 from PySide6.QtWidgets import QApplication, QColorDialog, QFileDialog, QWidget
@@ -14,7 +15,10 @@ from app.tools.toolbox import TOOLS
 from app.view.commands.table import COMMANDS
 from app.view.files.dialogs import PairDialog, ask_about_changes, complain
 from app.view.main_window import MainWindow
+from app.view.pictures.trace_dialog import TraceDialog
 from starskel.errors import InvalidFile, told
+from starskel.files.picture import Picture
+from starskel.files.raster import png_of
 from tests.app.driver import Driver
 from tests.app.pseudo import Pseudo
 from tests.app.reading import clipped, unnamed, untranslated
@@ -103,10 +107,11 @@ def test_messages_and_the_choice_of_a_pair(driver: Driver, window: MainWindow) -
         told("{path} cannot be read: {reason}", path="bird", reason=told("Permission denied"))
     )
     complain(window, "bird", error)
-    dialog = PairDialog(["bird"], window)
-    dialog.show()
-    found.extend(faults(dialog, "bird"))
-    dialog.close()
+    picture = Picture(png_of(np.full((20, 20, 4), 255, dtype=np.uint8)), (0, 0), (20, 20))
+    for dialog in (PairDialog(["bird"], window), TraceDialog(picture, "source", window)):
+        dialog.show()
+        found.extend(faults(dialog, "bird"))
+        dialog.close()
     assert not found
 
 

@@ -1,20 +1,21 @@
-"""Pictures behind the shapes: opened, dropped or pasted, faded, locked and removed."""
+"""Pictures behind the shapes: opened, dropped or pasted, traced, cropped, locked and removed."""
 
 from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QMimeData, QObject, Slot
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QDialog, QWidget
 
 from app.model.marks import Side
 from app.session import Session
-from app.tools.backdrop import crop_picture, lock_picture, with_picture, without_picture
+from app.tools.backdrop import crop_picture, lock_picture, traced, with_picture, without_picture
 from app.tools.picture import PictureTool
 from app.tools.tool import Refusal, Response
 from app.view.canvas.canvas import Canvas
 from app.view.files.dialogs import picture_to_open
 from app.view.painting.pictures import image_in, picture_of
+from app.view.pictures.trace_dialog import TraceDialog
 from starskel.errors import StarskelError
 from starskel.files.disk import read_bytes
 
@@ -34,6 +35,7 @@ class Backgrounds(QObject):
         """Give for each command what it does."""
         return {
             "picture-open": self._open,
+            "picture-trace": self._trace,
             "picture-lock": self._lock,
             "picture-crop": self._crop,
             "picture-remove": self._remove,
@@ -52,6 +54,19 @@ class Backgrounds(QObject):
     @Slot(str, object)
     def _take(self, side: Side, data: QMimeData) -> None:
         self._put(side, partial(_content, data))
+
+    @Slot()
+    def _trace(self) -> None:
+        """Put what is traced in the place of the shape, as one step."""
+        side, picture = self._side, self._session.document.picture(self._side)
+        if picture is None or not self._session.finish():
+            return
+        dialog = TraceDialog(picture, side, self._window)
+        accepted = dialog.exec() == QDialog.DialogCode.Accepted
+        found = dialog.found
+        dialog.deleteLater()
+        if accepted and found is not None:
+            self._session.edit(partial(traced, side=side, shape=found.shape))
 
     @Slot()
     def _lock(self) -> None:

@@ -1,0 +1,1 @@
+"""Pictures behind the shapes: placed, and traced."""
