@@ -66,7 +66,7 @@ def room(places: Floats, owner: Indices, points: Points, rings: Rings, task: Tas
 
 
 def berths(segments: Floats, owner: Indices, corners: Floats, rings: Rings, task: Task) -> Floats:
-    """Give how far (m, 2, 2) segments are from the nearest corner of their ring, infinite where it has none."""
+    """Give how far (m, 2, 2) segments are from the nearest corner of their ring; infinite without any."""
     (a, b), at = (_complex(ends) for ends in np.moveaxis(segments, 1, 0)), _complex(corners)
     return _least(owner, rings, lambda segment, corner: _distance(at[corner], a[segment], b[segment]), task)
 

@@ -1,20 +1,14 @@
 """Kernels: from where a ring is seen whole."""
 
 from collections.abc import Sequence
-from typing import TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from starskel.decomposition.clipping import boxes, cut_along
 from starskel.points import Points, points_of
-from starskel.predicates import ROUNDING, Complex, Floats, Indices, Relation
+from starskel.predicates import ROUNDING, Floats, Indices, Relation
 from starskel.rings import Rings, ranges
 from starskel.task import UNWATCHED, Task
-
-Entry = TypeVar("Entry", bound=np.generic)
-
-_AT_ONCE = 64
-"""Edges that cells are cut along between two questions whether to stop."""
 
 _FIRST_EDGES = 8
 """Edges that vertices are held against at first; each time those left are held against twice as many."""
@@ -90,75 +84,9 @@ def is_star_point(ring: Floats, place: Floats) -> bool:
 def _kernels(corners: Floats, counts: Indices, task: Task) -> tuple[Floats, Floats]:
     """Cut the boxes of rings to the left sides of all edges: centroids and areas of what is left."""
     centroids, areas = np.zeros(len(counts), dtype=np.complex128), np.zeros(len(counts))
-    alive = np.flatnonzero(counts > 2)
-    at = corners[np.repeat(counts > 2, counts)].view(np.complex128)[:, 0]
-    counts = counts[alive]
-    first = np.cumsum(counts) - counts
-    cells, size = _boxes(at, first), np.full(len(alive), 4)
-    step = 0
-    while len(alive):
-        cells, size = _clip(cells, size, at[first + step], at[first + (step + 1) % counts])
-        step += 1
-        if step % _AT_ONCE == 0:
-            task.reach(0)
-        done = counts == step
-        if done.any():
-            owner = np.repeat(done, size)
-            whole = done & (size > 0)
-            centroids[alive[whole]], areas[alive[whole]] = _centroids(cells[owner], size[whole])
-            cells, size = cells[~owner], np.where(done, 0, size)
-        left = size > 0
-        alive, first, counts, size = alive[left], first[left], counts[left], size[left]
+    rings = counts > 2
+    at = corners[np.repeat(rings, counts)].view(np.complex128)[:, 0]
+    edges = Rings(np.arange(len(at)), counts[rings])
+    cells = cut_along(boxes(at, edges.first), (at, at[edges.following]), edges.first, edges.counts, task)
+    centroids[rings], areas[rings] = cells.measured()
     return centroids[:, None].view(np.float64), areas
-
-
-def _boxes(corners: Complex, first: Indices) -> Complex:
-    """Give the corners of the boxes of rings that follow each other, counter-clockwise, box by box."""
-    if not len(first):
-        return np.empty(0, dtype=np.complex128)
-    left, right = np.minimum.reduceat(corners.real, first), np.maximum.reduceat(corners.real, first)
-    low, high = np.minimum.reduceat(corners.imag, first), np.maximum.reduceat(corners.imag, first)
-    return np.stack([left, low, right, low, right, high, left, high], axis=1).ravel().view(np.complex128)
-
-
-def _clip(cells: Complex, size: Indices, start: Complex, end: Complex) -> tuple[Complex, Indices]:
-    """Keep the parts of convex cells to the left of lines.
-
-    The cells, of so many corners each, follow each other; nothing stays of one that has nothing to the left.
-    """
-    off = cells - start.repeat(size)
-    side = ((end - start).conj().repeat(size) * off).imag
-    inside = side >= 0
-    if inside.all():
-        return cells, size
-    last = np.cumsum(size) - 1
-    first = last - size + 1
-    following, beyond = _next(cells, first, last), _next(side, first, last)
-    crossing = side * beyond < 0
-    share = np.divide(side, side - beyond, out=np.zeros_like(side), where=crossing)
-    corners = np.stack([cells, cells + share * (following - cells)], axis=1).ravel()
-    inside &= (np.maximum.reduceat(side, first) > 0).repeat(size)
-    kept = np.stack([inside, crossing], axis=1)
-    return corners[kept.ravel()], np.add.reduceat(kept.sum(axis=1), first)
-
-
-def _next(entries: NDArray[Entry], first: Indices, last: Indices) -> NDArray[Entry]:
-    """Give for each entry the next one of its cell, for the last one the first."""
-    following = np.empty_like(entries)
-    following[:-1] = entries[1:]
-    following[last] = entries[first]
-    return following
-
-
-def _centroids(cells: Complex, size: Indices) -> tuple[Complex, Floats]:
-    """Give the centroids and the areas of convex cells of so many corners each."""
-    last = np.cumsum(size) - 1
-    first = last - size + 1
-    base = cells[first]
-    a = cells - base.repeat(size)
-    b = _next(a, first, last)
-    doubled = (a.conj() * b).imag
-    areas = np.add.reduceat(doubled, first) / 2
-    weighted = np.add.reduceat(doubled * (a + b), first)
-    offset = np.divide(weighted, 6 * areas, out=np.zeros_like(weighted), where=areas > 0)
-    return base + offset, np.maximum(areas, 0.0)

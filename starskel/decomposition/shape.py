@@ -5,15 +5,13 @@ rounds every Steiner vertex tries places round its own, in the source or in the 
 that is best for the worst of its pieces there. A move is made only if exact predicates prove all its pieces.
 """
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from starskel.decomposition.board import Board
-from starskel.decomposition.kernel import star_points
-from starskel.decomposition.pieces import Piece, edges_of
+from starskel.decomposition.clipping import boxes, cut_along
+from starskel.decomposition.pieces import Piece
 from starskel.points import Points
-from starskel.predicates import Floats, Indices
+from starskel.predicates import Complex, Floats, Indices
 from starskel.rings import Rings
 from starskel.task import Task
 
@@ -43,95 +41,105 @@ def shaped(board: Board, pieces: list[Piece], task: Task) -> list[Piece]:
 
 
 def _moved(board: Board, pieces: list[Piece], side: int, stride: float, task: Task) -> list[Piece]:
-    """Move Steiner vertices on one side, no two of the same piece.
+    """Move Steiner vertices on one side, no two of the same piece, where all pieces round them prove right.
 
     A piece that is seen whole only from a common vertex is left alone: another kernel may not contain it.
     """
-    around = _around(board, pieces)
-    neighbours = list(dict.fromkeys(piece for pieces in around.values() for piece in pieces))
-    stars = board.have_kernels(neighbours, task)
-    touched = {piece for piece, star in zip(neighbours, stars, strict=True) if not star}
-    free = {vertex: near for vertex, near in sorted(around.items()) if touched.isdisjoint(near)}
+    around = _around(board, pieces, task)
+    if not around:
+        return pieces
+    places, gains = _better(board.sides[side], around, stride, task)
     moves: dict[int, Floats] = {}
-    for vertex, place in _better(board.sides[side], free, stride, task).items():
-        if touched.isdisjoint(free[vertex]):
+    touched: set[Piece] = set()
+    for vertex, place, gain in zip(around, places, gains, strict=True):
+        if gain > WORTH and touched.isdisjoint(around[vertex]):
             moves[vertex] = place
-            touched.update(free[vertex])
-    return _renamed(board, pieces, moves, side) if moves else pieces
+            touched.update(around[vertex])
+    names = _placed_again(board, moves, side)
+    renamed = {piece: tuple(names.get(v, v) for v in piece) for piece in pieces if piece in touched}
+    proven = dict(zip(renamed, board.have_kernels(list(renamed.values()), task), strict=True))
+    kept = {vertex for vertex in moves if not all(proven[piece] for piece in around[vertex])}
+    return [piece if piece not in renamed or kept & set(piece) else renamed[piece] for piece in pieces]
 
 
-def _around(board: Board, pieces: list[Piece]) -> dict[int, list[Piece]]:
-    """Give the pieces round each Steiner vertex."""
+def _around(board: Board, pieces: list[Piece], task: Task) -> dict[int, list[Piece]]:
+    """Give the pieces round each Steiner vertex, if all of these have kernels with an inside."""
     around: dict[int, list[Piece]] = {}
     for piece in pieces:
         for vertex in piece:
             if vertex >= board.n:
                 around.setdefault(vertex, []).append(piece)
-    return around
+    neighbours = list(dict.fromkeys(piece for near in around.values() for piece in near))
+    stars = dict(zip(neighbours, board.have_kernels(neighbours, task), strict=True))
+    return {vertex: near for vertex, near in sorted(around.items()) if all(stars[piece] for piece in near)}
 
 
-def _better(points: Points, free: dict[int, list[Piece]], stride: float, task: Task) -> dict[int, Floats]:
-    """Give for each vertex the best place among those around its own, unless that is as good as any.
+def _better(
+    points: Points, around: dict[int, list[Piece]], stride: float, task: Task
+) -> tuple[Floats, Floats]:
+    """Give for each vertex the best place among those round its own, and how much that is worth.
 
-    All are asked for at once, as if every other vertex stayed: a few large array operations.
+    All are asked for at once, as if every other vertex stayed: a few large array operations. The worth of a
+    place is that of the worst kernel round it, over the same for the vertex where it stands.
     """
-    if not free:
-        return {}
-    tried = points.with_free(
-        np.concatenate([_places(points, vertex, pieces, stride) for vertex, pieces in free.items()])
-    )
-    rows = np.arange(len(free) * WAYS).reshape(-1, WAYS) + len(points.coordinates)
-    rows = np.concatenate([np.array(list(free))[:, None], rows], axis=1)
-    worth = _worth(tried, list(free.items()), rows, task)
-    best = worth.argmax(axis=1)
-    return {
-        vertex: tried.coordinates[rows[at, best[at]]]
-        for at, vertex in enumerate(free)
-        if worth[at, best[at]] > WORTH * worth[at, 0]
-    }
+    chains = Rings.of([_chain(piece, vertex) for vertex, near in around.items() for piece in near])
+    counts = np.array([len(near) for near in around.values()])
+    at = points.coordinates.view(np.complex128)[:, 0]
+    own, ends = at[list(around)], at[chains.rows]
+    tried = own[:, None] + _ways(own.repeat(counts), ends, chains, counts, stride)
+    worth = _worth(tried.repeat(counts, axis=0), ends, chains, task)
+    least = np.minimum.reduceat(worth, np.cumsum(counts) - counts, axis=0)
+    best = least.argmax(axis=1)
+    chosen = np.arange(len(own)), best
+    return tried[chosen][:, None].view(np.float64), least[chosen] / least[:, 0]
 
 
-def _worth(points: Points, free: list[tuple[int, list[Piece]]], rows: Indices, task: Task) -> Floats:
-    """Give for each vertex, with each of its rows in its place, the worst of its pieces' kernels."""
-    rings = []
-    for (vertex, pieces), names in zip(free, rows, strict=True):
-        for piece in map(np.array, pieces):
-            renamed = np.repeat(piece[None], len(names), axis=0)
-            renamed[:, piece == vertex] = names[:, None]
-            rings += list(renamed)
-    _, areas = star_points(points, Rings.of(rings), task)
-    perimeters = _perimeters(points.coordinates, rings)
-    first = np.cumsum([0, *(len(pieces) for _, pieces in free)])[:-1]
-    worth = (areas / perimeters**2).reshape(-1, rows.shape[1])
-    least: Floats = np.minimum.reduceat(worth, first, axis=0)
-    return least
+def _chain(piece: Piece, vertex: int) -> Piece:
+    """Give the vertices of a piece from the next of a vertex round to the last before it."""
+    at = piece.index(vertex)
+    return piece[at + 1 :] + piece[:at]
 
 
-def _perimeters(coordinates: Floats, rings: Sequence[Indices]) -> Floats:
-    counts = np.array([len(ring) for ring in rings])
-    ends = np.cumsum(counts)
-    start = np.concatenate(rings)
-    end = np.append(start[1:], start[0])
-    end[ends - 1] = start[ends - counts]
-    perimeters: Floats = np.add.reduceat(np.hypot(*(coordinates[end] - coordinates[start]).T), ends - counts)
-    return perimeters
+def _ways(own: Complex, ends: Complex, chains: Rings, counts: Indices, stride: float) -> Complex:
+    """Give the ways of vertices to the places to try: none, then WAYS round them.
 
-
-def _places(points: Points, vertex: int, pieces: list[Piece], stride: float) -> Floats:
-    """Give the places round a vertex, the first towards its first neighbour: so they turn with the shape."""
-    edges = [edge for piece in pieces for edge in edges_of(piece) if vertex in edge]
-    neighbours = sorted({v for edge in edges for v in edge} - {vertex})
-    ways = (points.coordinates[neighbours] - points.coordinates[vertex]).view(np.complex128)[:, 0]
-    step = stride * np.abs(ways).mean() * np.sign(ways[0])
+    The first leads towards the first neighbour: so they turn with the shape.
+    """
+    spokes = ends[chains.first] - own
+    first = np.cumsum(counts) - counts
+    owner = np.repeat(np.arange(len(counts)), counts)
+    foremost = np.lexsort((chains.rows[chains.first], owner))[first]
+    step = stride * np.add.reduceat(np.abs(spokes), first) / counts * np.sign(spokes[foremost])
     turns = np.exp(2j * np.pi / WAYS * np.arange(WAYS))
-    places: Floats = points.coordinates[vertex] + (step * turns)[:, None].view(np.float64)
-    return places
+    return np.concatenate([np.zeros((len(step), 1)), step[:, None] * turns], axis=1)
 
 
-def _renamed(board: Board, pieces: list[Piece], moves: dict[int, Floats], side: int) -> list[Piece]:
-    """Put vertices that were moved on one side in the place of old ones; on the other side they stay."""
-    rows = np.array(list(moves))
+def _worth(tried: Complex, ends: Complex, chains: Rings, task: Task) -> Floats:
+    """Give the kernels of the rings that places make with chains, measured against the rings.
+
+    A kernel is cut along the chain once, and for each place along the two edges there.
+    """
+    start, end = ends[chains.first], ends[chains.last]
+    following = np.roll(ends, -1)
+    corners = np.concatenate([ends, tried.ravel()])
+    owner = np.concatenate([chains.owner, np.repeat(np.arange(len(tried)), tried.shape[1])])
+    order = np.argsort(owner, kind="stable")
+    whole = boxes(corners[order], np.searchsorted(owner[order], np.arange(len(tried))))
+    cells = cut_along(whole, (ends, following), chains.first, chains.counts - 1, task)
+    cells = cells.chosen(np.repeat(np.arange(len(tried)), tried.shape[1]))
+    begins, stops = (edge.repeat(tried.shape[1]) for edge in (start, end))
+    _, areas = cells.left_of(tried.ravel(), begins).left_of(stops, tried.ravel()).measured()
+    along = np.abs(following - ends)
+    along[chains.last] = 0
+    around = np.abs(tried - start[:, None]) + np.abs(tried - end[:, None])
+    perimeters = around + np.add.reduceat(along, chains.first)[:, None]
+    worth: Floats = areas.reshape(tried.shape) / perimeters**2
+    return worth
+
+
+def _placed_again(board: Board, moves: dict[int, Floats], side: int) -> dict[int, int]:
+    """Put vertices anew, on one side where they are moved to, on the other where they were; give the rows."""
+    rows = np.array(list(moves), dtype=np.intp)
     added = [points.again(rows) for points in board.sides]
-    added[side] = board.sides[side].with_free(np.array(list(moves.values())))
-    names = dict(zip(moves, board.add(*added), strict=True))
-    return [tuple(names.get(v, v) for v in piece) for piece in pieces]
+    added[side] = board.sides[side].with_free(np.array(list(moves.values())).reshape(-1, 2))
+    return dict(zip(moves, board.add(*added), strict=True))

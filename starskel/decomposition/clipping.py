@@ -1,0 +1,117 @@
+"""Convex cells, many at a time, and what is left of them to the left of lines."""
+
+from dataclasses import dataclass
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from starskel.predicates import Complex, Floats, Indices
+from starskel.rings import ranges
+from starskel.task import UNWATCHED, Task
+
+Entry = TypeVar("Entry", bound=np.generic)
+
+_AT_ONCE = 64
+"""Lines that cells are cut along between two questions whether to stop."""
+
+
+@dataclass(frozen=True, eq=False)
+class Convex:
+    """Convex cells, one after the other.
+
+    Attributes
+    ----------
+    corners : (h,) complex array
+        Counter-clockwise.
+    size : (k,) array of int
+        How many corners each cell has, 0 where nothing is left of it.
+    """
+
+    corners: Complex
+    size: Indices
+
+    def chosen(self, cells: Indices) -> "Convex":
+        """Give some of the cells, some perhaps several times."""
+        _, corner = ranges((np.cumsum(self.size) - self.size)[cells], self.size[cells])
+        return Convex(self.corners[corner], self.size[cells])
+
+    def left_of(self, start: Complex, end: Complex) -> "Convex":
+        """Keep the part of each cell to the left of its line; nothing stays where that has no area."""
+        off = self.corners - start.repeat(self.size)
+        side = ((end - start).conj().repeat(self.size) * off).imag
+        inside = side >= 0
+        if inside.all():
+            return self
+        some = self.size > 0
+        last = np.cumsum(self.size)[some] - 1
+        first = last - self.size[some] + 1
+        following, beyond = _next(self.corners, first, last), _next(side, first, last)
+        crossing = side * beyond < 0
+        share = np.divide(side, side - beyond, out=np.zeros_like(side), where=crossing)
+        corners = np.stack([self.corners, self.corners + share * (following - self.corners)], axis=1).ravel()
+        inside &= (np.maximum.reduceat(side, first) > 0).repeat(self.size[some])
+        kept = np.stack([inside, crossing], axis=1)
+        size = np.zeros_like(self.size)
+        size[some] = np.add.reduceat(kept.sum(axis=1), first)
+        return Convex(corners[kept.ravel()], size)
+
+    def measured(self) -> tuple[Complex, Floats]:
+        """Give the centroids and the areas of the cells, 0 for those of which nothing is left."""
+        some = np.flatnonzero(self.size)
+        last = np.cumsum(self.size[some]) - 1
+        first = last - self.size[some] + 1
+        centroids, areas = np.zeros(len(self.size), dtype=np.complex128), np.zeros(len(self.size))
+        if len(some):
+            base = self.corners[first]
+            a = self.corners - base.repeat(self.size[some])
+            b = _next(a, first, last)
+            doubled = (a.conj() * b).imag
+            area = np.add.reduceat(doubled, first) / 2
+            weighted = np.add.reduceat(doubled * (a + b), first)
+            offset = np.divide(weighted, 6 * area, out=np.zeros_like(weighted), where=area > 0)
+            centroids[some], areas[some] = base + offset, np.maximum(area, 0.0)
+        return centroids, areas
+
+
+def boxes(places: Complex, first: Indices) -> Convex:
+    """Give the boxes round places that follow each other, those of each box from a first one on."""
+    if not len(first):
+        return Convex(np.empty(0, dtype=np.complex128), np.empty(0, dtype=np.intp))
+    left, right = np.minimum.reduceat(places.real, first), np.maximum.reduceat(places.real, first)
+    low, high = np.minimum.reduceat(places.imag, first), np.maximum.reduceat(places.imag, first)
+    corners = np.stack([left, low, right, low, right, high, left, high], axis=1).ravel()
+    return Convex(corners.view(np.complex128), np.full(len(first), 4))
+
+
+def cut_along(
+    cells: Convex, lines: tuple[Complex, Complex], first: Indices, counts: Indices, task: Task = UNWATCHED
+) -> Convex:
+    """Keep of each cell the part to the left of all its lines: so many, from a first one on."""
+    start, end = lines
+    order = np.argsort(-counts, kind="stable")  # those that are done are the last
+    first, counts = first[order], counts[order]
+    cells, done = cells.chosen(order), []
+    for step in range(int(counts.max(initial=0))):
+        if step % _AT_ONCE == 0:
+            task.reach(0)
+        going = int(np.searchsorted(-counts, -step))
+        if going < len(cells.size):
+            corners = int(cells.size[:going].sum())
+            done.append(Convex(cells.corners[corners:], cells.size[going:]))
+            cells = Convex(cells.corners[:corners], cells.size[:going])
+        if not len(cells.corners):
+            break
+        line = first[:going] + step
+        cells = cells.left_of(start[line], end[line])
+    parts = [cells, *done[::-1]]
+    together = Convex(np.concatenate([p.corners for p in parts]), np.concatenate([p.size for p in parts]))
+    return together.chosen(np.argsort(order))
+
+
+def _next(entries: NDArray[Entry], first: Indices, last: Indices) -> NDArray[Entry]:
+    """Give for each entry the next one of its cell, for the last one the first."""
+    following = np.empty_like(entries)
+    following[:-1] = entries[1:]
+    following[last] = entries[first]
+    return following
