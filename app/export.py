@@ -7,16 +7,22 @@ from typing import Literal
 
 from app.compute import Result
 from app.model.sequence import USUAL
-from starskel.export import formats
+from starskel.easing import Easing
+from starskel.export import formats, morphs
 from starskel.export.film import Film, Scene, Track
 from starskel.export.settings import Settings, even_times
 from starskel.export.write import write
+from starskel.files.image_pairs import placed_image
+from starskel.files.picture import Picture
 from starskel.files.step import Step
+from starskel.images.morph import SOLID, ImageMorph
+from starskel.images.placed import PlacedImage
 from starskel.sheet.keyframe import Shown
+from starskel.task import UNWATCHED, Task
 
-Layout = Literal["row", "frame", "pages", "sheet", "animation", "numbers"]
+Layout = Literal["row", "frame", "pages", "sheet", "animation", "morph", "numbers"]
 
-OUTPUTS: dict[Layout, formats.Layout] = {
+DRAWN: dict[Layout, formats.Layout] = {
     "row": "row",
     "frame": "frames",
     "pages": "frames",
@@ -24,13 +30,21 @@ OUTPUTS: dict[Layout, formats.Layout] = {
     "animation": "animation",
     "numbers": "numbers",
 }
-"""What the library calls them."""
+"""What the library calls those that are drawn; in a morph there are the pictures alone."""
 
 FORMATS: dict[Layout, tuple[formats.Format, ...]] = {
-    layout: formats.formats_of(output, numbered=False if layout == "pages" else None)
-    for layout, output in OUTPUTS.items()
+    **{
+        layout: formats.formats_of(output, numbered=False if layout == "pages" else None)
+        for layout, output in DRAWN.items()
+    },
+    "morph": tuple(
+        next(each for each in formats.FORMATS if each.ending == ending) for ending in morphs.ENDINGS
+    ),
 }
 """The formats that each layout can be written in, the usual one first."""
+
+USUAL_SIDE = 512
+"""Pixels of the longer side of a morph where nothing else is wanted."""
 
 
 @dataclass(frozen=True)
@@ -39,13 +53,13 @@ class Choice:
 
     Attributes
     ----------
-    layout : {"row", "frame", "pages", "sheet", "animation", "numbers"}
+    layout : {"row", "frame", "pages", "sheet", "animation", "morph", "numbers"}
         A row of keyframes, one frame, a page for each keyframe, a row for each method, a picture that moves,
-        or the coordinates.
+        the pictures inside the shapes alone, or the coordinates.
     method : str
         The method, for all layouts but the sheet.
     frames : int
-        How many keyframes, from t = 0 to 1, for all layouts but the frame and the animation.
+        How many keyframes, from t = 0 to 1, for all layouts but the frame and what moves.
     t : float
         The moment, for the layout of one frame.
     marks, pieces, skeleton : bool
@@ -55,9 +69,15 @@ class Choice:
     whole : bool
         Whether all steps of the sequence are wanted, for all layouts but the frame.
     seconds : float
-        How long an animation takes one way.
+        How long what moves takes one way.
     returning : bool
-        Whether an animation comes back again.
+        Whether it comes back again.
+    pictures : bool
+        Whether pictures behind the shapes are carried along, in formats that can hold them.
+    pixels : int or None
+        The longer side of what is made of pixels; None for the usual.
+    rate : float
+        Pictures a second, of what moves and is made of them.
     """
 
     layout: Layout
@@ -71,19 +91,31 @@ class Choice:
     whole: bool = False
     seconds: float = 3.0
     returning: bool = False
+    pictures: bool = True
+    pixels: int | None = None
+    rate: float = 25.0
 
     @property
     def settings(self) -> Settings:
         """The same in the library's words."""
         single = self.layout == "frame"
         return Settings(
-            layout=OUTPUTS[self.layout],
+            layout=DRAWN[self.layout],
             times=(self.t,) if single else even_times(self.frames),
             eased=self.eased and not single,
-            shown=Shown(self.marks, self.pieces, self.skeleton),
+            shown=Shown(self.marks, self.pieces, self.skeleton, pictures=self.pictures),
             duration=self.seconds,
             returning=self.returning,
+            rate=self.rate,
+            pixels=self.pixels,
         )
+
+    def morph(self, easing: Easing, *, moving: bool) -> morphs.MorphSettings:
+        """Give what is wanted of a morph, which moves or is a row of keyframes."""
+        whole = Settings("animation", duration=self.seconds, returning=self.returning, rate=self.rate)
+        times = whole.moments if moving else even_times(self.frames)
+        ts = [easing.t(time) for time in times] if self.eased else times
+        return morphs.MorphSettings(ts, self.pixels or USUAL_SIDE, self.rate)
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,20 +130,31 @@ class Stretch:
         How long it takes, and with which easing.
     name : str
         Which step it is; "" where there is but one.
+    pictures : (Picture or None, Picture or None)
+        What is behind its shapes.
     """
 
     results: tuple[Result, ...]
     step: Step = USUAL
     name: str = ""
+    pictures: tuple[Picture | None, Picture | None] = (None, None)
 
     def scene(self, method: str) -> Scene:
         """Give the blend by a method, as the library draws it."""
         result = next(each for each in self.results if each.method == method)
-        return Scene(result.blend, result.report, self.step.duration, self.step.easing, self.name)
+        return Scene(
+            result.blend, result.report, self.step.duration, self.step.easing, self.name, self._placed
+        )
+
+    def _placed(self) -> tuple[PlacedImage | None, PlacedImage | None]:
+        source, target = (None if each is None else placed_image(each) for each in self.pictures)
+        return source, target
 
 
-def write_choice(path: Path, name: str, choice: Choice, stretches: Sequence[Stretch]) -> None:
-    """Write what was chosen; the ending of the file's name tells the format.
+def write_choice(
+    path: Path, name: str, choice: Choice, stretches: Sequence[Stretch], task: Task = UNWATCHED
+) -> tuple[Path, ...]:
+    """Write what was chosen, and give the files written; the ending of the file's name tells the format.
 
     Parameters
     ----------
@@ -121,17 +164,36 @@ def write_choice(path: Path, name: str, choice: Choice, stretches: Sequence[Stre
         What the document is called.
     choice : Choice
     stretches : sequence of Stretch
-        One after another; all have the same methods.
+        One after another; all have the same methods. A morph is of the first.
+    task : Task
+        Watches it, and may stop it.
 
     Raises
     ------
     InvalidFile
         If the ending does not go with the layout, or the file cannot be written.
+    Cancelled
+        If the task is to stop.
     """
+    if choice.layout == "morph":
+        return _write_morph(path, choice, stretches[0], task)
     methods = (
         [result.method for result in stretches[0].results] if choice.layout == "sheet" else [choice.method]
     )
     if len(stretches) == 1:  # of a step shown by itself the title tells which it is
         name, stretches = f"{name} {stretches[0].name}".strip(), [replace(stretches[0], name="")]
     tracks = tuple(Track(method, tuple(each.scene(method) for each in stretches)) for method in methods)
-    write(path, Film(name, tracks, choice.settings))
+    return write(path, Film(name, tracks, choice.settings), task)
+
+
+def _write_morph(path: Path, choice: Choice, stretch: Stretch, task: Task) -> tuple[Path, ...]:
+    """Write the pictures alone, as `starskel morph` does."""
+    morphs.check_ending(path)
+    scene = stretch.scene(choice.method)
+    source, target = scene.pictures()
+    part = task.part(0, 0.1)
+    morph = ImageMorph(
+        scene.blend, source, target, solid=SOLID, progress=part.reach, should_stop=task.should_stop
+    )
+    wanted = choice.morph(scene.easing, moving=path.suffix.lower() != morphs.PNG)
+    return morphs.write_morph(path, morph, wanted, task.part(0.1, 1))

@@ -252,14 +252,6 @@
         <translation>legen Sie es neben die Datei, und geben Sie nur seinen Namen an</translation>
     </message>
     <message>
-        <source>{path} has no picture behind shape {first} or {last}</source>
-        <translation>{path} hat kein Bild hinter Form {first} oder {last}</translation>
-    </message>
-    <message>
-        <source>place one in the editor and save</source>
-        <translation>legen Sie im Editor eines dahinter, und speichern Sie</translation>
-    </message>
-    <message>
         <source>{path}: the picture of shape {letter}</source>
         <translation>{path}: Das Bild der Form {letter}</translation>
     </message>
@@ -310,14 +302,6 @@
     <message>
         <source>draw it in the editor and save</source>
         <translation>zeichnen Sie sie im Editor und speichern Sie</translation>
-    </message>
-    <message>
-        <source>{name} is of several polygons, and two polygons are wanted here</source>
-        <translation>{name} besteht aus mehreren Polygonen, hier werden zwei Polygone gebraucht</translation>
-    </message>
-    <message>
-        <source>take a pair of two polygons; starskel render takes several</source>
-        <translation>ein Paar aus zwei Polygonen nehmen; starskel render nimmt mehrere</translation>
     </message>
     <message>
         <source>{path}: shape {letter}</source>
@@ -1936,6 +1920,10 @@
         <translation>Animation</translation>
     </message>
     <message>
+        <source>Pictures alone</source>
+        <translation>Die Bilder allein</translation>
+    </message>
+    <message>
         <source>Coordinates of keyframes</source>
         <translation>Koordinaten der Schlüsselbilder</translation>
     </message>
@@ -1976,6 +1964,26 @@
         <translation>Skelett</translation>
     </message>
     <message>
+        <source>Pictures in the shapes</source>
+        <translation>Bilder in den Formen</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>usual</source>
+        <translation>üblich</translation>
+    </message>
+    <message>
+        <source>The longer side, of formats that are made of pixels</source>
+        <translation>Die längere Seite, bei Formaten aus Pixeln</translation>
+    </message>
+    <message>
+        <source>Of formats that are made of pictures</source>
+        <translation>Bei Formaten aus Einzelbildern</translation>
+    </message>
+    <message>
         <source>&amp;What</source>
         <translation>&amp;Was</translation>
     </message>
@@ -1994,6 +2002,14 @@
     <message>
         <source>&amp;Duration</source>
         <translation>&amp;Dauer</translation>
+    </message>
+    <message>
+        <source>Pictures a &amp;second</source>
+        <translation>Bilder je &amp;Sekunde</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Größe</translation>
     </message>
     <message>
         <source>Show</source>
@@ -2036,6 +2052,10 @@
     <message>
         <source>Export</source>
         <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Writing {name}…</source>
+        <translation>{name} wird geschrieben …</translation>
     </message>
     <message>
         <source>{name} was not written</source>
@@ -3198,6 +3218,17 @@
     <message>
         <source>Vertices stay {d} units or more away from other edges.</source>
         <translation>Eckpunkte bleiben {d} Einheiten oder mehr von anderen Kanten entfernt.</translation>
+    </message>
+</context>
+<context>
+    <name>Waiting</name>
+    <message>
+        <source>Please wait</source>
+        <translation>Bitte warten</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
     </message>
 </context>
 <context>

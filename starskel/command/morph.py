@@ -1,96 +1,77 @@
 """starskel morph: pictures inside shapes, as a moving picture, a row of frames or numbered files."""
 
+import re
 from argparse import Namespace
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
-
-from starskel.command.methods import blends
-from starskel.command.opening import chosen_id, opened
+from starskel.command.opening import Opened, Pictures, chosen_id, opened
 from starskel.command.progress import Progress
+from starskel.command.shapes import Way, blends_of
 from starskel.easing import EVEN, Easing
-from starskel.errors import InvalidFile, either
-from starskel.export.settings import even_times
-from starskel.files import image_pairs, project_file
-from starskel.files.documents import check_format
-from starskel.files.image_pairs import ImagePair, of_project, read_image_pairs
-from starskel.files.project_file import read_project
-from starskel.files.raster import MOVING, write_animation, write_image
-from starskel.files.video import VIDEO, write_video
+from starskel.errors import InvalidFile
+from starskel.export.morphs import PNG, MorphSettings, check_ending, write_morph
+from starskel.export.settings import Settings, even_times
 from starskel.images.morph import SOLID, ImageMorph, smooth
-from starskel.images.placed import Pixels
+from starskel.task import Task
 
 
 def run(arguments: Namespace) -> int:
-    """Morph the pictures of a pair and write the frames."""
-    path = arguments.output
-    if (ending := path.suffix.lower()) not in (known := (".png", *MOVING, VIDEO)):
-        raise InvalidFile(f'{path.name} ends in "{path.suffix}"', f"end it in {either(known)}")
-    pair, easing = _opened(arguments)
-    ((_, made),) = blends(pair.shapes, [arguments.method])
-    fade, solid = (smooth if arguments.fade == "smooth" else float), (0 if arguments.as_it_is else SOLID)
-    with Progress(f"{pair.shapes.id}: pictures") as bar:
-        morph = ImageMorph(made, pair.source, pair.target, fade=fade, solid=solid, progress=bar)
-    times = _times(arguments, ending)
-    if arguments.eased:
-        times = [easing.t(time) for time in times]
-    frames = _frames(morph, times, arguments, pair.shapes.id)
-    if ending == ".png":
-        _write_pictures(path, frames, numbered=arguments.layout == "frames" and len(times) > 1)
-    else:
-        write = write_video if ending == VIDEO else write_animation
-        write(path, frames, [1 / arguments.rate] * len(times))
+    """Morph the pictures of a pair, or of every pair, and write the frames."""
+    check_ending(arguments.output)
+    file = opened(arguments.file, arguments.step)
+    if not arguments.every:
+        _morph(arguments, file, chosen_id(arguments.file, file.ids, arguments.id), arguments.output)
+        return 0
+    for pair_id, path in zip(file.ids, _own_files(arguments.output, file.ids), strict=True):
+        _morph(arguments, file, pair_id, path)
     return 0
 
 
-def _opened(arguments: Namespace) -> tuple[ImagePair, Easing]:
-    """Give the pair that the words mean, and how its frames follow each other."""
-    path: Path = arguments.file
-    if check_format(path, image_pairs.FORMAT, project_file.FORMAT) == image_pairs.FORMAT:
-        if arguments.step is not None:
-            raise InvalidFile(f"{path} is no project and has no steps", "choose a pair: --id ID")
-        file = read_image_pairs(path)
-        return file.pair(chosen_id(path, file.ids, arguments.id)), EVEN
-    steps = opened(path, arguments.step)
-    name = steps.pair(arguments.id or steps.ids[0]).id
-    document = read_project(path)
-    document = replace(document, name=document.name or path.stem)
-    step = next(k for k in range(len(document.steps)) if document.step_name(k) == name)
-    return of_project(path, document, step), document.steps[step].easing
+def _morph(arguments: Namespace, file: Opened, pair_id: str, path: Path) -> None:
+    pair, pictures = file.pair(pair_id), _pictures(arguments.file, file, pair_id)
+    ((_, made),) = blends_of(pair, [Way(arguments.method, arguments.method)])
+    fade, solid = (smooth if arguments.fade == "smooth" else float), (0 if arguments.as_it_is else SOLID)
+    with Progress(f"{pair_id}: pictures") as bar:
+        morph = ImageMorph(made, *pictures, fade=fade, solid=solid, progress=bar)
+    wanted = MorphSettings(
+        _times(arguments, path, file.steps[file.ids.index(pair_id)].easing if file.steps else EVEN),
+        arguments.size,
+        arguments.rate,
+        arguments.paper,
+        numbered=arguments.layout == "frames",
+    )
+    with Progress(f"{pair_id}: frames") as bar:
+        write_morph(path, morph, wanted, Task(bar))
 
 
-def _times(arguments: Namespace, ending: str) -> list[float]:
+def _pictures(path: Path, file: Opened, pair_id: str) -> Pictures:
+    found = file.pictures(pair_id)
+    if found == (None, None):
+        raise InvalidFile(
+            f'{path} has no picture behind the shapes of "{pair_id}"', "place one in the editor and save"
+        )
+    return found
+
+
+def _times(arguments: Namespace, path: Path, easing: Easing) -> list[float]:
     """Give the times of frames: those asked for, or for what moves as many as its duration needs."""
     if arguments.at:
-        return list(arguments.at)
-    if ending == ".png":
-        return list(even_times(arguments.frames))
-    times = list(even_times(max(2, round(arguments.duration * arguments.rate))))
-    return [*times, *times[-2:0:-1]] if arguments.returning else times
+        times = list(arguments.at)
+    elif path.suffix.lower() == PNG:
+        times = list(even_times(arguments.frames))
+    else:
+        moving = Settings(
+            "animation", duration=arguments.duration, returning=arguments.returning, rate=arguments.rate
+        )
+        times = list(moving.moments)
+    return [easing.t(time) for time in times] if arguments.eased else times
 
 
-def _frames(morph: ImageMorph, times: list[float], arguments: Namespace, name: str) -> Iterator[Pixels]:
-    view = morph.view
-    with Progress(f"{name}: frames") as bar:
-        for number, t in enumerate(times):
-            bar(number / len(times))
-            frame = morph.at(t, arguments.size, view)
-            yield frame if arguments.paper is None else _on(frame, arguments.paper)
-
-
-def _on(frame: Pixels, paper: str) -> Pixels:
-    """Put a frame on a ground of a colour."""
-    alpha = frame[..., 3:] / 255
-    mixed = frame[..., :3] * alpha + np.array(list(bytes.fromhex(paper[1:]))) * (1 - alpha)
-    return np.concatenate([np.rint(mixed).astype(np.uint8), np.full_like(frame[..., 3:], 255)], axis=2)
-
-
-def _write_pictures(path: Path, frames: Iterator[Pixels], *, numbered: bool) -> None:
-    """Write a file for each, or all in a row."""
-    if not numbered:
-        write_image(path, np.concatenate(list(frames), axis=1))
-        return
-    for number, frame in enumerate(frames, start=1):
-        write_image(path.with_name(f"{path.stem}-{number:04}{path.suffix}"), frame)
+def _own_files(path: Path, ids: Sequence[str]) -> list[Path]:
+    """Give a file for each pair, its name behind the file's; what no file name may hold is left out."""
+    names: list[str] = []
+    for number, pair_id in enumerate(ids, start=1):
+        name = re.sub(r"[^\w. -]", "_", pair_id)
+        names.append(name if name not in names else f"{name}-{number}")
+    return [path.with_name(f"{path.stem}-{name}{path.suffix}") for name in names]

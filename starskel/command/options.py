@@ -47,6 +47,9 @@ def add_morph(parser: argparse.ArgumentParser) -> None:
     )
     _add_pair(parser, "a project with pictures, or a file of pairs of pictures (image-pairs/1)")
     parser.add_argument("-o", "--output", type=Path, required=True, metavar="OUT", help="the file to write")
+    parser.add_argument(
+        "--every", action="store_true", help="a file for each pair, or step of a project: OUT-ID"
+    )
     parser.add_argument("--method", choices=METHODS, default="stitched", help="(stitched)")
     parser.add_argument("--layout", choices=("row", "frames"), default="row", help="of OUT.png (row)")
     add_times(parser)

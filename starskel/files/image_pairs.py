@@ -12,7 +12,7 @@ from starskel.files.documents import check_format, read_document
 from starskel.files.pair_file import PairFile
 from starskel.files.pairs import ShapePair
 from starskel.files.picture import Picture
-from starskel.files.project import Project, letter, of_polygons
+from starskel.files.project import Project, letter
 from starskel.files.raster import image_of, read_image
 from starskel.files.shapes import Row, marked_shapes, polygon_of
 from starskel.images.placed import PlacedImage
@@ -85,29 +85,6 @@ def _side(path: Path, side: _Side, where: str) -> tuple[PlacedImage, Polygon]:
     picture = PlacedImage(read_image(path.parent / name))
     rows = picture.to_document(side.outline).tolist() if side.outline else []
     return picture, polygon_of(rows, where)
-
-
-def of_project(path: Path, project: Project, step: int) -> ImagePair:
-    """Give a step of a project with the pictures behind its shapes, where they are.
-
-    Raises
-    ------
-    InvalidFile
-        If a shape is missing, there is no picture at all, or one is damaged or too large.
-    """
-    shapes = of_polygons(project.pair(step))
-    source, target = (picture_of(path, project, step + k) for k in (0, 1))
-    if source is None and target is None:
-        raise InvalidFile(
-            told(
-                "{path} has no picture behind shape {first} or {last}",
-                path=path,
-                first=letter(step),
-                last=letter(step + 1),
-            ),
-            told("place one in the editor and save"),
-        )
-    return ImagePair(shapes, source, target)
 
 
 def picture_of(path: Path, project: Project, shape: int) -> PlacedImage | None:

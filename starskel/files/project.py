@@ -116,22 +116,6 @@ def _links(pair: MultiPair) -> tuple[Link, ...]:
     )
 
 
-def of_polygons(pair: AnyPair) -> ShapePair:
-    """Give a pair that must be of two polygons.
-
-    Raises
-    ------
-    InvalidFile
-        If its shapes have several.
-    """
-    if isinstance(pair, MultiPair):
-        raise InvalidFile(
-            told("{name} is of several polygons, and two polygons are wanted here", name=pair.id),
-            told("take a pair of two polygons; starskel render takes several"),
-        )
-    return pair
-
-
 def letter(shape: int) -> str:
     """Give the letter of a key shape counted from 0: A, B, ... Z, AA, AB, ..."""
     letters, rest = "", shape

@@ -1,4 +1,5 @@
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -7,10 +8,19 @@ import pytest
 from app.compute import Result
 from app.export import FORMATS, Choice, Layout, Stretch, write_choice
 from app.model.easing import Easing
-from starskel import InvalidFile, blend, match, measure
+from starskel import Cancelled, InvalidFile, Polygon, blend, match, measure
 from starskel.cli import main
 from starskel.files.examples import example, resource_folder
+from starskel.files.key_shape import KeyShape
+from starskel.files.picture import Picture
+from starskel.files.project import Project
+from starskel.files.project_file import write_project
+from starskel.files.raster import png_of
 from starskel.files.step import Step
+from starskel.task import Task
+from tests.starskel.images.drawn import waves
+
+PICTURE = Picture(png_of(waves(40, 30)), (2.0, 1.5), (4.0, 3.0), rotation=0.1)
 
 
 @pytest.fixture(scope="module")
@@ -28,7 +38,8 @@ def test_every_layout_is_written_in_each_of_its_formats(
     layout: Layout, ending: str, results: tuple[Result, ...], tmp_path: Path
 ) -> None:
     path = tmp_path / f"out{ending}"
-    write_choice(path, "Star", Choice(layout, "vertex", frames=5, seconds=0.2), [Stretch(results)])
+    choice = Choice(layout, "vertex", frames=5, seconds=0.2)
+    write_choice(path, "Star", choice, [Stretch(results, pictures=(PICTURE, None))])
     text = path.read_bytes().decode("latin-1")
     starts = {".svg": "<?xml", ".eps": "%!PS-Adobe-3.0 EPSF", ".ps": "%!PS-Adobe", ".pdf": "%PDF"}
     pictures = {".png": "\x89PNG", ".apng": "\x89PNG", ".gif": "GIF89a", ".webp": "RIFF", ".mp4": "\0\0\0"}
@@ -36,6 +47,51 @@ def test_every_layout_is_written_in_each_of_its_formats(
     assert ("<animate" in text) == (layout == "animation" and ending == ".svg")
     if ending == ".ps":
         assert text.count("%%Page:") == (5 if layout == "pages" else 1)
+
+
+@pytest.mark.parametrize("ending", [".gif", ".apng", ".webp", ".mp4", ".png"])
+def test_pictures_alone_are_what_the_command_writes_to_the_byte(ending: str, tmp_path: Path) -> None:
+    _, stretch = saved(tmp_path)
+    choice = Choice(
+        "morph", "stitched", frames=3, eased=True, seconds=0.3, returning=True, pixels=64, rate=20
+    )
+    write_choice(tmp_path / f"editor{ending}", "p", choice, [stretch])
+    words = ["--frames", "3", "--eased", "--duration", "0.3", "--returning", "--size", "64", "--rate", "20"]
+    out = tmp_path / f"command{ending}"
+    assert main(["morph", str(tmp_path / "p.json"), *words, "-o", str(out)]) == 0
+    assert out.read_bytes() == (tmp_path / f"editor{ending}").read_bytes()
+
+
+@pytest.mark.parametrize("pictures", [True, False])
+def test_films_with_pictures_are_what_the_command_writes_to_the_byte(pictures: bool, tmp_path: Path) -> None:
+    _, stretch = saved(tmp_path)
+    choice = Choice("animation", "stitched", seconds=0.2, pixels=64, rate=20, pictures=pictures)
+    write_choice(tmp_path / "editor.webp", "p", choice, [stretch])
+    words = ["--duration", "0.2", "--pixels", "64", "--rate", "20", *([] if pictures else ["--no-pictures"])]
+    out = tmp_path / "command.webp"
+    assert main(["render", str(tmp_path / "p.json"), *words, "-o", str(out)]) == 0
+    assert out.read_bytes() == (tmp_path / "editor.webp").read_bytes()
+
+
+def test_what_is_given_up_leaves_no_file(tmp_path: Path) -> None:
+    _, stretch = saved(tmp_path)
+    choice, steps = Choice("morph", "stitched", seconds=2.0, pixels=64), []
+    task = Task(steps.append, lambda: len(steps) > 20)
+    with pytest.raises(Cancelled):
+        write_choice(tmp_path / "out.gif", "p", choice, [stretch], task)
+    assert steps == sorted(steps)
+    assert not (tmp_path / "out.gif").exists()
+
+
+def saved(folder: Path) -> tuple[Step, Stretch]:
+    """Save a project with a picture and an easing; give its step as the editor exports it."""
+    box, wide = (Polygon([(0, 0), (width, 0), (width, 3), (0, 3)]) for width in (4, 6))
+    step = replace(Step.of(((0, 0),)), easing=Easing((0.4, 0.0), (0.6, 1.0)))
+    shapes = replace(KeyShape.of(box), picture=PICTURE), KeyShape.of(wide)
+    write_project(folder / "p.json", Project("p", shapes, (step,)))
+    made = blend(match(box, wide, ((0, 0),)))
+    result = Result("stitched", made, measure(made), np.zeros((2, 2)))
+    return step, Stretch((result,), step, pictures=(PICTURE, None))
 
 
 def test_a_row_holds_so_many_keyframes_and_a_frame_but_one(

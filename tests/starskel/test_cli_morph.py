@@ -12,7 +12,7 @@ from starskel.files.picture import Picture
 from starskel.files.project import Project
 from starskel.files.project_file import write_project
 from starskel.files.raster import png_of, read_animation, read_image, write_image
-from starskel.files.step import Step
+from starskel.files.step import Link, Step
 from starskel.polygon import Polygon
 from tests.starskel.images.drawn import waves
 
@@ -52,6 +52,29 @@ def test_a_row_and_numbered_pictures(pictures):
     assert np.array_equal(row, np.concatenate([read_image(path) for path in numbered], axis=1))
 
 
+def test_every_pair_of_a_file_has_a_file_of_its_own(pictures):
+    document = json.loads((pictures / "pictures.json").read_text())
+    document["pairs"].append({**document["pairs"][0], "id": "a/b"})
+    (pictures / "pictures.json").write_text(json.dumps(document))
+    words = ["--frames", "2", "--size", "40"]
+    assert main(["morph", "pictures.json", *words, "--every", "-o", "row.png"]) == 0
+    assert main(["morph", "pictures.json", *words, "--id", "box", "-o", "alone.png"]) == 0
+    assert (pictures / "row-box.png").read_bytes() == (pictures / "alone.png").read_bytes()
+    assert (pictures / "row-a_b.png").is_file()
+
+
+def test_a_project_of_several_parts_carries_its_picture(pictures):
+    eye = Polygon([(1, 1), (2, 1), (2, 2), (1, 2)])
+    face, other = (Polygon([(x, 0), (x + 4, 0), (x + 4, 3), (x, 3)]) for x in (0, 6))
+    picture = Picture(png_of(waves(40, 30)), (2.0, 1.5), (4.0, 3.0))
+    shapes = (replace(KeyShape.of(face, eye), picture=picture), KeyShape.of(other))
+    links = (Link(0, 0), Link(1, None))
+    write_project(pictures / "face.json", Project("face", shapes, (Step(links),)))
+    assert main(["morph", "face.json", "--at", "0", "--size", "100", "-o", "face.png"]) == 0
+    frame = read_image(pictures / "face.png")
+    assert (frame[..., 3] == 0).mean() > 0.3  # the hole, and what is right of the face
+
+
 def test_one_moment_on_a_ground(pictures):
     words = ["--at", "0.5", "--paper", "#ffcc00", "--method", "certified", "--size", "50", "-o", "m.png"]
     assert main(["morph", "pictures.json", *words]) == 0
@@ -78,13 +101,16 @@ def test_a_project_with_a_picture_moves_as_its_easing_says(pictures):
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["pictures.json", "-o", "x.svg"], "end it in .png or .gif or .apng or .webp or .mp4"),
+        (["pictures.json", "-o", "x.svg"], "end it in .gif or .apng or .webp or .mp4 or .png"),
         (["pictures.json", "--step", "1", "-o", "x.gif"], "is no project and has no steps"),
+        (["plain.json", "-o", "x.gif"], 'no picture behind the shapes of "plain"; place one'),
         (["pictures.json", "--id", "bax", "-o", "x.gif"], 'no pair "bax"; choose one of box'),
         (["p.png", "-o", "x.gif"], "damaged"),
     ],
 )
 def test_what_is_wrong_is_said(pictures, capsys, words, said):
+    square = KeyShape.of(Polygon([(0, 0), (4, 0), (4, 3), (0, 3)]))
+    write_project(pictures / "plain.json", Project("plain", (square, square), (Step.of(),)))
     assert main(["morph", *words]) == 2
     assert said in capsys.readouterr().err
     assert not list(pictures.glob("x.*"))

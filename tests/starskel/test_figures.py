@@ -13,7 +13,7 @@ from starskel.correspondence.match import match
 from starskel.decomposition.decompose import decompose
 from starskel.errors import NoDecomposition
 from starskel.files.examples import example, example_names, figure_number
-from starskel.files.image_pairs import of_project
+from starskel.files.image_pairs import picture_of
 from starskel.images.morph import ImageMorph
 from starskel.quality import measure
 
@@ -109,11 +109,11 @@ def test_figure_9_parts_move_together_by_the_meta_skeleton(method):
 @pytest.mark.parametrize("method", ["star-skeleton", "stitched"])
 def test_figure_10_carries_pictures_of_both_shapes(method):
     project = example("figure-10-dog")
-    pair = of_project(Path("figure-10-dog.json"), project, 0)
+    source, target = (picture_of(Path("figure-10-dog.json"), project, k) for k in (0, 1))
     made = blend(pair_of(10), method=method)
-    morph = ImageMorph(made, pair.source, pair.target)
+    morph = ImageMorph(made, source, target)
     view = 0.0, 0.0, 256.0, 256.0
-    for t, picture in ((0, pair.source), (1, pair.target)):
+    for t, picture in ((0, source), (1, target)):
         deep = shapely.Polygon(made.at(t)).buffer(-1)
         x, y = np.meshgrid(np.arange(256) + 0.5, 255.5 - np.arange(256))
         inside = shapely.contains_xy(deep, x, y)

@@ -1,6 +1,4 @@
-"""What to export: keyframes, pages, a sheet of all methods, an animation, or coordinates."""
-
-from collections.abc import Sequence
+"""What to export: keyframes, pages, a sheet of all methods, what moves, or coordinates."""
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Slot
 from PySide6.QtWidgets import (
@@ -16,7 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.export import FORMATS, Choice, Layout
+from app.export import FORMATS, Choice, Layout, Stretch
 from app.playback import Repeat
 from app.view.painting.display import Display
 from app.view.timeline.player import Player
@@ -28,8 +26,12 @@ _LAYOUTS: tuple[tuple[Layout, object], ...] = (
     ("pages", QT_TRANSLATE_NOOP("ExportDialog", "A page for each keyframe")),
     ("sheet", QT_TRANSLATE_NOOP("ExportDialog", "All methods side by side")),
     ("animation", QT_TRANSLATE_NOOP("ExportDialog", "Animation")),
+    ("morph", QT_TRANSLATE_NOOP("ExportDialog", "Pictures alone")),
     ("numbers", QT_TRANSLATE_NOOP("ExportDialog", "Coordinates of keyframes")),
 )
+
+SMALLEST, LARGEST = 15, 8192
+"""Pixels of the longer side; the smallest stands for the usual."""
 
 
 class ExportDialog(QDialog):
@@ -37,7 +39,7 @@ class ExportDialog(QDialog):
 
     def __init__(
         self,
-        methods: Sequence[str],
+        shown: Stretch,
         player: Player,
         display: Display,
         parent: QWidget | None = None,
@@ -47,11 +49,12 @@ class ExportDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle(self.tr("Export keyframes"))
         self._layout_field = QComboBox()
-        for layout, text in _LAYOUTS:
+        self._pictured = shown.pictures != (None, None)
+        for layout, text in _LAYOUTS if self._pictured else (each for each in _LAYOUTS if each[0] != "morph"):
             self._layout_field.addItem(QCoreApplication.translate("ExportDialog", str(text)), layout)
         self._method = QComboBox()
-        for method in methods:
-            self._method.addItem(words.method(method), method)
+        for result in shown.results:
+            self._method.addItem(words.method(result.method), result.method)
         self._frames = QSpinBox()
         self._frames.setRange(2, 240)
         self._frames.setValue(6)
@@ -77,7 +80,20 @@ class ExportDialog(QDialog):
         self._pieces.setChecked(display.layers.pieces)
         self._skeleton = QCheckBox(self.tr("Skeleton"))
         self._skeleton.setChecked(display.layers.skeleton)
+        self._pictures = QCheckBox(self.tr("Pictures in the shapes"))
+        self._pictures.setChecked(self._pictured and display.layers.pictures)
+        self._pixels = QSpinBox()
+        self._pixels.setRange(SMALLEST, LARGEST)
+        self._pixels.setSingleStep(16)
+        self._pixels.setSuffix(self.tr(" px"))
+        self._pixels.setSpecialValueText(self.tr("usual"))
+        self._pixels.setToolTip(self.tr("The longer side, of formats that are made of pixels"))
+        self._rate = QSpinBox()
+        self._rate.setRange(1, 100)
+        self._rate.setValue(25)
+        self._rate.setToolTip(self.tr("Of formats that are made of pictures"))
         self._formats = QLabel()
+        self._formats.setWordWrap(True)
         self._arrange()
         self._layout_field.currentIndexChanged.connect(self._follow)
         self._whole.toggled.connect(self._follow)
@@ -98,6 +114,9 @@ class ExportDialog(QDialog):
             self._whole.isEnabled() and self._whole.isChecked(),
             self._seconds.value(),
             self._returning.isChecked(),
+            self._pictures.isChecked(),
+            self._pixels.value() if self._pixels.value() > SMALLEST else None,
+            self._rate.value(),
         )
 
     def _arrange(self) -> None:
@@ -111,7 +130,10 @@ class ExportDialog(QDialog):
             (self.tr("&Time t"), self._t),
             (self.tr("&Duration"), self._seconds),
             ("", self._returning),
-            (self.tr("Show"), self._marks),
+            (self.tr("Pictures a &second"), self._rate),
+            (self.tr("Si&ze"), self._pixels),
+            (self.tr("Show"), self._pictures),
+            ("", self._marks),
             ("", self._pieces),
             ("", self._skeleton),
             (self.tr("Formats"), self._formats),
@@ -122,6 +144,7 @@ class ExportDialog(QDialog):
             self._whole,
             self._eased,
             self._returning,
+            self._pictures,
             self._marks,
             self._pieces,
             self._skeleton,
@@ -139,14 +162,17 @@ class ExportDialog(QDialog):
     @Slot()
     def _follow(self) -> None:
         layout: Layout = self._layout_field.currentData()
+        moves = layout in ("animation", "morph")
         self._method.setEnabled(layout != "sheet")
         self._frames.setEnabled(layout not in ("frame", "animation"))
-        self._whole.setEnabled(layout != "frame" and self._can_be_whole)
+        self._whole.setEnabled(layout not in ("frame", "morph") and self._can_be_whole)
         whole = self._whole.isEnabled() and self._whole.isChecked()
         self._eased.setEnabled(layout != "frame" and (whole or not self._easing.even))
         self._t.setEnabled(layout == "frame")
-        self._seconds.setEnabled(layout == "animation")
-        self._returning.setEnabled(layout == "animation")
+        for field in (self._seconds, self._returning, self._rate):
+            field.setEnabled(moves)
+        self._pixels.setEnabled(layout != "numbers")
+        self._pictures.setEnabled(self._pictured and layout not in ("numbers", "morph"))
         for box in (self._marks, self._pieces, self._skeleton):
-            box.setEnabled(layout != "numbers")
+            box.setEnabled(layout not in ("numbers", "morph"))
         self._formats.setText(", ".join(str(words.retold(each.name)) for each in FORMATS[layout]))

@@ -9,6 +9,7 @@ from app.export import FORMATS, Stretch, write_choice
 from app.session import Session
 from app.view.files.dialogs import complain, path_to_save
 from app.view.files.export_dialog import ExportDialog
+from app.view.files.waiting import Waiting
 from app.view.painting.display import Display
 from app.view.timeline.player import Player
 from starskel.errors import StarskelError
@@ -30,7 +31,7 @@ def export(window: QWidget, session: Session, player: Player, display: Display, 
         What it may be called, without the ending.
     """
     shown, whole = stretches(session)[session.document.step], whole_sequence(session)
-    dialog = ExportDialog([r.method for r in shown.results], player, display, window, whole=bool(whole))
+    dialog = ExportDialog(shown, player, display, window, whole=bool(whole))
     if dialog.exec() != QDialog.DialogCode.Accepted:
         return None
     choice, title = dialog.choice, translate("Files", "Export")
@@ -38,22 +39,28 @@ def export(window: QWidget, session: Session, player: Player, display: Display, 
     path = path_to_save(window, title, file.with_name(f"{file.name}{endings[0]}"), endings)
     if path is None:
         return None
-    try:
-        write_choice(path, session.document.name or file.name, choice, whole if choice.whole else (shown,))
-    except StarskelError as error:
-        complain(window, translate("Files", "{name} was not written").format(name=path.name), error)
+    name, chosen = session.document.name or file.name, whole if choice.whole else (shown,)
+    waiting = Waiting(translate("Files", "Writing {name}…").format(name=path.name), window)
+    outcome = waiting.wait(lambda task: write_choice(path, name, choice, chosen, task))
+    if outcome is None:
         return None
+    if isinstance(outcome.error, StarskelError):
+        complain(window, translate("Files", "{name} was not written").format(name=path.name), outcome.error)
+        return None
+    if outcome.error is not None:
+        raise outcome.error
     return path
 
 
 def stretches(session: Session) -> tuple[Stretch, ...]:
     """Give what there is to export of each step."""
-    steps = session.document.sequence.steps
+    steps, shapes = session.document.sequence.steps, session.document.sequence.shapes
     return tuple(
         Stretch(
             tuple(state.fresh for state in session.results_of(number).values() if state.fresh is not None),
             step,
             f"{letter(number)}-{letter(number + 1)}" if len(steps) > 1 else "",
+            (shapes[number].picture, shapes[number + 1].picture),
         )
         for number, step in enumerate(steps)
     )

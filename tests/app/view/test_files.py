@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QFileDialog,
     QLineEdit,
     QMessageBox,
+    QProgressBar,
     QWidget,
 )
 
@@ -17,6 +18,7 @@ from app.playback import Repeat
 from app.view.files import exporting, files
 from app.view.files.dialogs import PairDialog, SaveDialog
 from app.view.files.export_dialog import ExportDialog
+from app.view.files.waiting import Waiting
 from app.view.main_window import MainWindow
 from starskel.easing import Easing
 from starskel.files.examples import example
@@ -308,6 +310,36 @@ def test_an_animation_takes_as_long_as_it_plays(driver: Driver, tmp_path: Path) 
         driver.in_dialog(_exporting(driver, 4, path))
         driver.key(Qt.Key.Key_E, CONTROL)
         assert f'dur="{seconds}"' in path.read_text()
+
+
+def test_a_long_export_shows_how_far_it_is_and_can_be_given_up(driver: Driver, tmp_path: Path) -> None:
+    driver.session.show_project(example("figure-10-dog"))
+    driver.wait_for_blends()
+    path = tmp_path / "morph.apng"
+
+    def give_up(dialog: QWidget) -> None:
+        assert isinstance(dialog, Waiting)
+        bar = dialog.findChild(QProgressBar)
+        assert bar is not None
+        driver.wait(lambda: bar.value() > 12)
+        cancel = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Cancel)  # type: ignore[union-attr]
+        QTest.mouseClick(cancel, Qt.MouseButton.LeftButton)
+
+    def name(dialog: QWidget) -> None:
+        driver.in_dialog(give_up)
+        name_file(dialog, path.name)
+
+    def choose(dialog: QWidget) -> None:
+        assert isinstance(dialog, ExportDialog)
+        layouts = dialog.findChildren(QComboBox)[0]
+        layouts.setCurrentIndex(layouts.findData("morph"))
+        driver.in_dialog(name)
+        dialog.accept()
+
+    driver.in_dialog(choose)
+    driver.key(Qt.Key.Key_E, CONTROL)
+    assert not path.exists()
+    assert not driver.window.statusBar().currentMessage().startswith("Exported")
 
 
 def _exporting(driver: Driver, row: int, path: Path):  # type: ignore[no-untyped-def]

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from starskel.errors import InvalidFile
-from starskel.files.image_pairs import of_project, read_image_pairs
+from starskel.files.image_pairs import picture_of, read_image_pairs
 from starskel.files.key_shape import KeyShape
 from starskel.files.picture import Picture
 from starskel.files.project import Project
@@ -53,11 +53,12 @@ def test_pictures_of_a_project_lie_where_it_says(tmp_path):
     square = Polygon([(0, 0), (4, 0), (4, 4), (0, 4)])
     picture = Picture(png_of(waves(40, 20)), (2.0, 3.0), (8.0, 4.0))
     project = Project("p", (replace(KeyShape.of(square), picture=picture), KeyShape.of(square)), (Step.of(),))
-    pair = of_project(tmp_path / "p.json", project, 0)
-    assert pair.target is None
-    assert pair.source.to_document([(0, 0), (40, 20)]).tolist() == [[-2, 5], [6, 1]]
+    placed = picture_of(tmp_path / "p.json", project, 0)
+    assert picture_of(tmp_path / "p.json", project, 1) is None
+    assert placed.to_document([(0, 0), (40, 20)]).tolist() == [[-2, 5], [6, 1]]
     upright = replace(project.shapes[0], picture=replace(picture, rotation=np.pi / 2))
-    turned = of_project(tmp_path / "p.json", replace(project, shapes=(upright, project.shapes[1])), 0).source
+    turned = picture_of(tmp_path / "p.json", replace(project, shapes=(upright, project.shapes[1])), 0)
     np.testing.assert_allclose(turned.to_document([(0, 0), (40, 20)]), [[0, -1], [4, 7]], atol=1e-12)
-    with pytest.raises(InvalidFile, match="no picture behind shape A or B"):
-        of_project(tmp_path / "p.json", Project("p", (KeyShape.of(square),) * 2, (Step.of(),)), 0)
+    damaged = replace(project.shapes[0], picture=replace(picture, content=b"none"))
+    with pytest.raises(InvalidFile, match="the picture of shape A is no picture"):
+        picture_of(tmp_path / "p.json", replace(project, shapes=(damaged, project.shapes[1])), 0)

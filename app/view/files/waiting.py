@@ -1,0 +1,53 @@
+"""Work that takes a while, done beside the window: how far it is, and a way to give it up."""
+
+from PySide6.QtCore import QEventLoop, Qt, QTimer, Slot
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QProgressBar, QVBoxLayout, QWidget
+
+from app.compute.errands import Errands, Outcome, Work
+
+BLINK = 400
+"""Milliseconds of work for which no dialog is shown."""
+
+
+class Waiting(QDialog):
+    """Shows the progress of one errand, once it takes longer than a blink."""
+
+    def __init__(self, text: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Please wait"))
+        self.setWindowModality(Qt.WindowModality.WindowModal)
+        self._outcome: Outcome | None = None
+        self._loop = QEventLoop(self)
+        self._errands = Errands(self)
+        self._errands.done.connect(self._take)
+        self._errands.progressed.connect(self._advance)
+        self._bar = QProgressBar()
+        self._bar.setRange(0, 100)
+        self._bar.setAccessibleName(self.tr("Progress"))
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        for widget in (QLabel(text), self._bar, buttons):
+            layout.addWidget(widget)
+        self.setMinimumWidth(360)
+
+    def wait(self, work: Work) -> Outcome | None:
+        """Do the work, and give what came of it; None where the user gave it up. It can be done once."""
+        self._errands.do(work)
+        QTimer.singleShot(BLINK, self._loop, self._loop.quit)
+        self._loop.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
+        if self._outcome is None:
+            self.exec()
+        self._errands.close()
+        self.deleteLater()
+        return self._outcome
+
+    @Slot(object)
+    def _take(self, outcome: Outcome) -> None:
+        self._outcome = outcome
+        self._loop.quit()
+        self.accept()
+
+    @Slot(float)
+    def _advance(self, fraction: float) -> None:
+        self._bar.setValue(int(100 * fraction))
