@@ -49,3 +49,15 @@ def edges_of(piece: Piece) -> list[tuple[int, int]]:
 def cost(pieces: Collection[Piece]) -> tuple[int, int]:
     """Give the price of pieces: the vertices they use, Steiner ones among them, then their number."""
     return len(set().union(*pieces)), len(pieces)
+
+
+def chain_after(piece: Piece, vertex: int) -> Piece:
+    """Give a piece without one of its vertices, from the next one round to the last before it."""
+    at = piece.index(vertex)
+    return piece[at + 1 :] + piece[:at]
+
+
+def from_least(piece: Piece) -> Piece:
+    """Give a piece from its least vertex on, so that one ring has one name."""
+    start = piece.index(min(piece))
+    return piece[start:] + piece[:start]

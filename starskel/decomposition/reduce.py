@@ -5,12 +5,13 @@ them is simple and counter-clockwise in both (see verify.py).
 """
 
 from collections.abc import Iterable, Sequence
-from itertools import pairwise
 
 import numpy as np
 
-from starskel.decomposition.board import Board
-from starskel.decomposition.pieces import Piece, edges_of
+from starskel.decomposition.board import AT_ONCE, Board
+from starskel.decomposition.collapse import Around, collapses
+from starskel.decomposition.pieces import Piece, edges_of, from_least
+from starskel.rings import blocks
 from starskel.task import Task
 
 
@@ -22,9 +23,10 @@ def reduce(board: Board, tilings: Sequence[list[Piece]], task: Task) -> list[lis
     """
     every = [_Reduction(board, pieces) for pieces in tilings]
     changing = every
+    known: dict[Around, list[list[Piece]]] = {}
     while changing:
         merged = _merge(board, changing, task)
-        collapsed = _collapse(board, changing, task)
+        collapsed = _collapse(board, changing, known, task)
         changing = [
             reduction for reduction, *any_ in zip(changing, merged, collapsed, strict=True) if any(any_)
         ]
@@ -42,12 +44,16 @@ def _merge(board: Board, reductions: list["_Reduction"], task: Task) -> list[boo
     return [reduction.make(found) for reduction, found in zip(reductions, moves, strict=True)]
 
 
-def _collapse(board: Board, reductions: list["_Reduction"], task: Task) -> list[bool]:
-    """Collapse Steiner vertices into neighbours."""
-    collapses = [reduction.collapses() for reduction in reductions]
-    rings = [ring for found in collapses for _, shrunk in found for ring in shrunk]
-    stars = dict(zip(rings, board.have_kernels(rings, task), strict=True))
-    moves = [[move for move in found if all(stars[ring] for ring in move[1])] for found in collapses]
+def _collapse(
+    board: Board, reductions: list["_Reduction"], known: dict[Around, list[list[Piece]]], task: Task
+) -> list[bool]:
+    """Collapse Steiner vertices into neighbours; add what these may do to what is known."""
+    stars = [reduction.stars() for reduction in reductions]
+    unknown = dict.fromkeys(star for found in stars for star in found if star not in known)
+    waiting = list(unknown)
+    for part in blocks(np.array([sum(map(len, pieces)) for _, pieces in waiting]), AT_ONCE):
+        known.update(collapses(board, waiting[part], task.quiet))
+    moves = [[(star[1], shrunk) for star in found for shrunk in known[star]] for found in stars]
     return [reduction.make(found) for reduction, found in zip(reductions, moves, strict=True)]
 
 
@@ -58,7 +64,6 @@ class _Reduction:
         self.pieces = dict.fromkeys(pieces)
         self._board = board
         self._unions: dict[tuple[Piece, Piece], Piece | None] = {}
-        self._shrunk: dict[tuple[int, tuple[Piece, ...]], list[list[Piece]]] = {}
 
     def unions(self) -> list[tuple[tuple[Piece, Piece], Piece]]:
         """Give the rings round neighbours, those across the longest edges first."""
@@ -68,18 +73,14 @@ class _Reduction:
                 self._unions[pair] = union(*pair)
         return [(pair, ring) for pair in neighbours if (ring := self._unions[pair]) is not None]
 
-    def collapses(self) -> list[tuple[list[Piece], list[Piece]]]:
-        """Give what becomes of the pieces round Steiner vertices where these collapse into neighbours."""
+    def stars(self) -> list[Around]:
+        """Give the Steiner vertices, the last placed first, and the pieces round each."""
         around: dict[int, list[Piece]] = {}
         for piece in self.pieces:
             for vertex in piece:
                 if vertex >= self._board.n:
                     around.setdefault(vertex, []).append(piece)
-        return [
-            (pieces, shrunk)
-            for vertex, pieces in sorted(around.items(), reverse=True)
-            for shrunk in self._collapses(vertex, pieces)
-        ]
+        return [(vertex, tuple(pieces)) for vertex, pieces in sorted(around.items(), reverse=True)]
 
     def make(self, moves: Iterable[tuple[Iterable[Piece], Iterable[Piece]]]) -> bool:
         """Put pieces in the place of others, move by move, unless these are gone already."""
@@ -91,36 +92,6 @@ class _Reduction:
                 self.pieces.update(dict.fromkeys(after))
                 made = True
         return made
-
-    def _collapses(self, vertex: int, pieces: list[Piece]) -> list[list[Piece]]:
-        key = vertex, tuple(pieces)
-        if key not in self._shrunk:
-            self._shrunk[key] = _collapses(vertex, pieces)
-        return self._shrunk[key]
-
-
-def _collapses(vertex: int, around: list[Piece]) -> list[list[Piece]]:
-    """Give what becomes of the pieces round a vertex where it is moved onto each of its neighbours."""
-    moves = []
-    for neighbour in sorted({v for piece in around for v in _neighbours(piece, vertex)}):
-        shrunk = [_renamed(piece, vertex, neighbour) for piece in around]
-        if None not in shrunk:
-            moves.append([piece for piece in shrunk if piece])
-    return moves
-
-
-def _neighbours(piece: Piece, vertex: int) -> tuple[int, int]:
-    at = piece.index(vertex)
-    return piece[at - 1], piece[(at + 1) % len(piece)]
-
-
-def _renamed(piece: Piece, vertex: int, name: int) -> Piece | None:
-    """Give the piece with a vertex moved onto another: () if nothing is left of it, None if it is torn."""
-    renamed = [name if v == vertex else v for v in piece]
-    kept = tuple(v for before, v in pairwise([renamed[-1], *renamed]) if v != before)
-    if len(set(kept)) < len(kept):
-        return None
-    return _from_least(kept) if len(kept) > 2 else ()
 
 
 def _neighbouring(board: Board, pieces: Iterable[Piece]) -> list[tuple[Piece, Piece]]:
@@ -145,10 +116,4 @@ def union(first: Piece, second: Piece) -> Piece | None:
     ring = [outer[0][0]]
     while (following := onward[ring[-1]]) != ring[0]:
         ring.append(following)
-    return _from_least(tuple(ring)) if len(ring) == len(outer) else None
-
-
-def _from_least(piece: Piece) -> Piece:
-    """Give the ring from its least vertex on, so that one ring has one name."""
-    start = piece.index(min(piece))
-    return piece[start:] + piece[:start]
+    return from_least(tuple(ring)) if len(ring) == len(outer) else None

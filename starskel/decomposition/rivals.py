@@ -30,6 +30,9 @@ LARGE = 40
 FEW = 6
 """One Steiner vertex for so many vertices of the cell is so few that nothing is carried over."""
 
+HIDDEN = 0.5
+"""In a large cell a fan that leaves more of the vertices hidden is never the first of few."""
+
 HOPELESS = 3
 """What needs so many times the Steiner vertices of a way that is reduced is not: it seldom gets better."""
 
@@ -82,7 +85,7 @@ def _fan_out(board: Board, fans: list[tuple[_Contest, Fan]], task: Task) -> None
 
 def _few(board: Board, stuck: Stuck, task: Task) -> list[Piece]:
     """Free a large cell by fans, as long as these are few."""
-    if not stuck.fans:
+    if not stuck.fans or stuck.fans[0].hidden > HIDDEN * len(stuck.ring):
         raise _TooManyError
     most = len(board) + len(stuck.ring) // FEW
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from starskel.decomposition.board import Board
 from starskel.decomposition.clipping import boxes, cut_along
-from starskel.decomposition.pieces import Piece
+from starskel.decomposition.pieces import Piece, chain_after
 from starskel.points import Points
 from starskel.predicates import Complex, Floats, Indices
 from starskel.rings import Rings
@@ -82,7 +82,7 @@ def _better(
     All are asked for at once, as if every other vertex stayed: a few large array operations. The worth of a
     place is that of the worst kernel round it, over the same for the vertex where it stands.
     """
-    chains = Rings.of([_chain(piece, vertex) for vertex, near in around.items() for piece in near])
+    chains = Rings.of([chain_after(piece, vertex) for vertex, near in around.items() for piece in near])
     counts = np.array([len(near) for near in around.values()])
     at = points.coordinates.view(np.complex128)[:, 0]
     own, ends = at[list(around)], at[chains.rows]
@@ -92,12 +92,6 @@ def _better(
     best = least.argmax(axis=1)
     chosen = np.arange(len(own)), best
     return tried[chosen][:, None].view(np.float64), least[chosen] / least[:, 0]
-
-
-def _chain(piece: Piece, vertex: int) -> Piece:
-    """Give the vertices of a piece from the next of a vertex round to the last before it."""
-    at = piece.index(vertex)
-    return piece[at + 1 :] + piece[:at]
 
 
 def _ways(own: Complex, ends: Complex, chains: Rings, counts: Indices, stride: float) -> Complex:

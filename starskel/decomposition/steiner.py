@@ -35,11 +35,21 @@ _WEIGHTS = np.array(
 
 @dataclass(frozen=True, eq=False)
 class Fan:
-    """A place for a Steiner vertex in source and target, and the places in the ring that it sees in both."""
+    """A place for a Steiner vertex.
+
+    Attributes
+    ----------
+    source, target : (2,) arrays
+    spokes : list of int
+        The places in the ring that it sees in both polygons.
+    hidden : int
+        How many others lie in pockets, beyond those that are easy.
+    """
 
     source: Floats
     target: Floats
     spokes: list[int]
+    hidden: int
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,8 +82,10 @@ def survey(board: Board, cells: Sequence[Piece], most: Sequence[int], task: Task
         places = zip(*(_places(ground, task) for ground in grounds), strict=True)
         for cell, (first, second), count in zip(handful, places, crossings(*grounds), strict=True):
             fans = [
-                Fan(first.at[i], second.at[j], np.flatnonzero(first.sees[i] & second.sees[j]).tolist())
-                for i, j in _best(first.sees, second.sees, wanted[cell], task)
+                Fan(
+                    first.at[i], second.at[j], np.flatnonzero(first.sees[i] & second.sees[j]).tolist(), hidden
+                )
+                for i, j, hidden in _best(first.sees, second.sees, wanted[cell], task)
             ]
             found[cell] = Stuck(cell, count, fans)
     return [found[cell] for cell in cells]
@@ -107,13 +119,14 @@ def _distinct(samples: Floats, sees: Relation) -> _Places:
     return _Places(samples[kept], sees[kept])
 
 
-def _best(first: Relation, second: Relation, most: int, task: Task) -> list[tuple[int, int]]:
-    """Rank pairs of places by what they leave hidden."""
+def _best(first: Relation, second: Relation, most: int, task: Task) -> list[tuple[int, int, int]]:
+    """Rank pairs of places by what they leave hidden; give the best, and how many vertices these hide."""
     task.reach(0)
     hardness = _hardness(first, second)
     ranked = np.argsort(hardness, axis=None, kind="stable")[:most]
     ranked = ranked[hardness.ravel()[ranked] < _HOPELESS]
-    return [(int(i), int(j)) for i, j in zip(*np.unravel_index(ranked, hardness.shape), strict=True)]
+    i, j = np.unravel_index(ranked, hardness.shape)
+    return list(zip(i.tolist(), j.tolist(), (hardness[i, j] // first.shape[1]).tolist(), strict=True))
 
 
 def _hardness(first: Relation, second: Relation) -> Indices:
