@@ -18,6 +18,7 @@ from app.tools.hand import Hand, Pointed
 from app.tools.marking import replace_marks
 from app.tools.settings import Settings
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
+from starskel.files.disk import digest_of
 from starskel.files.project import Project
 from starskel.files.project_file import read_project, write_project
 
@@ -33,6 +34,8 @@ class Session(QObject):
         What undo and redo go through.
     path : Path or None
         The project file, None before it has one.
+    digest : str or None
+        Of that file, as it was when it was read or written last.
     morphs : Morphs
         What paints pictures inside the blends.
     pointed : (side, int) or None
@@ -66,6 +69,7 @@ class Session(QObject):
         self.morphs = Morphs(self)
         self.hand = Hand()
         self.path: Path | None = None
+        self.digest: str | None = None
         self.pointed: Pointed | None = None
 
     @property
@@ -289,7 +293,7 @@ class Session(QObject):
     # files
 
     def new(self) -> None:
-        self._start(Document(methods=USUAL_METHODS), None)
+        self._start(Document(methods=USUAL_METHODS))
 
     def open(self, path: Path) -> None:
         """Open a project file.
@@ -299,17 +303,26 @@ class Session(QObject):
         StarskelError
             If it cannot be read; what was open stays open.
         """
-        self.show_project(read_project(path), path)
+        digest = digest_of(path)
+        self.show_project(read_project(path), path, digest)
 
-    def show_project(self, project: Project, path: Path | None = None) -> None:
-        """Edit a project, which may have no file yet.
+    def show_project(
+        self, project: Project, path: Path | None = None, digest: str | None = None, *, saved: bool = True
+    ) -> None:
+        """Edit a project, which may have no file yet, or differ from its file where it is not saved.
 
         Raises
         ------
         InvalidMarks
             If its marks cross.
         """
-        self._start(document_of(project, USUAL_METHODS), path)
+        self._start(document_of(project, USUAL_METHODS), path, digest, saved=saved)
+
+    @property
+    def overtaken(self) -> bool:
+        """Whether another program has changed the file since it was read or written."""
+        now = None if self.path is None else digest_of(self.path)
+        return now is not None and self.digest is not None and now != self.digest
 
     def save(self, path: Path) -> None:
         """Write the project file, whole or not at all.
@@ -320,7 +333,7 @@ class Session(QObject):
             If it cannot be written.
         """
         write_project(path, project_of(self.document, path.stem))
-        self.path, self.history = path, self.history.saving()
+        self.path, self.digest, self.history = path, digest_of(path), self.history.saving()
         self.document_changed.emit()
 
     # how answers and documents come in
@@ -359,9 +372,13 @@ class Session(QObject):
             self.step_changed.emit()
         self._refresh()
 
-    def _start(self, document: Document, path: Path | None) -> None:
+    def _start(
+        self, document: Document, path: Path | None = None, digest: str | None = None, *, saved: bool = True
+    ) -> None:
         self.history = History.of(document)
-        self.path = path
+        if not saved:
+            self.history = replace(self.history, saved=Document())
+        self.path, self.digest = path, digest
         self.hand = self.hand.for_document(document)
         self._blends.forget()
         self.tool_changed.emit()

@@ -21,6 +21,7 @@ from app.view.files.remembered import (
 )
 from app.view.lists.history_list import HistoryList
 from app.view.painting.display import Layers
+from app.view.wording import language
 
 KEPT = (*SWITCHES, *(field.name for field in fields(Layers)))
 """The switches that are as they were at the next start: what the tools snap to, and what is shown."""
@@ -54,6 +55,7 @@ class Convenience(QObject):
         self._actions = actions
         self._window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self._dock)
         self._dock.visibilityChanged.connect(actions["history"].setChecked)
+        actions[f"language-{language.chosen()}"].setChecked(True)
         apply_shortcuts(actions.all)
 
     def restore(self) -> None:

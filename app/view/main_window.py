@@ -22,6 +22,7 @@ from app.view.convenience import Convenience
 from app.view.files.drops import Drops
 from app.view.files.files import Files
 from app.view.files.project_menus import ExamplesMenu, RecentMenu
+from app.view.files.recovering import Recovering
 from app.view.files.remembered import remember_theme
 from app.view.lists.marks_table import MarksPanel
 from app.view.lists.partnering import Partnering
@@ -48,6 +49,7 @@ class MainWindow(QMainWindow):
         self.player = Player(self)
         self.display = Display(self)
         self.files = Files(self, session, self.player, self.display)
+        self.recovering = Recovering(self, session, self.files)
         self.canvases: dict[Side, Canvas] = {side: Canvas(session, side, self.display) for side in SIDES}
         self.edits = Edits(self, session, self.canvases)
         self.sequencing = Sequencing(self, session, self.player)
@@ -87,7 +89,6 @@ class MainWindow(QMainWindow):
         status = Status(session, self.actions_table)
         self.files.exported.connect(status.tell_written)
         self.setStatusBar(status)
-        self.actions_table[f"language-{language.chosen()}"].setChecked(True)
         self.resize(QSize(1280, 860).boundedTo(self.screen().availableSize()))
         self.canvases["source"].setFocus()
         self._examples.chosen.connect(self.files.open_example)
@@ -156,6 +157,7 @@ class MainWindow(QMainWindow):
             "select-all": self._select_all,
             "delete": self._delete,
             "cancel": session.cancel,
+            "recover": self.recovering.offer,
             **self.edits.handlers(),
             **self.partnering.handlers(),
             **self.sequencing.handlers(),
@@ -292,6 +294,7 @@ class MainWindow(QMainWindow):
             self.player.pause()
             self.convenience.keep()
             self.session.close()
+            self.recovering.close()
             event.accept()
         else:
             event.ignore()

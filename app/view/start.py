@@ -71,7 +71,9 @@ def run(path: Path | None) -> int:
 
 
 def begin(window: MainWindow, path: Path | None) -> None:
-    """Open a file, else the project that was open last, else the first example playing."""
+    """Open what a crash left behind, if that is wished; else this file, the last one or the first example."""
+    if window.recovering.offer_kept() and window.session.unsaved:
+        return
     path = path or last_file()
     if path is not None:
         window.files.open(path)

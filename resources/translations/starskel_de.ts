@@ -863,6 +863,14 @@
         <translation>Das Projekt unter einem anderen Namen speichern</translation>
     </message>
     <message>
+        <source>Reco&amp;vered Documents…</source>
+        <translation>&amp;Gerettete Dokumente…</translation>
+    </message>
+    <message>
+        <source>Open unsaved work that a crash has left behind</source>
+        <translation>Ungespeicherte Arbeit öffnen, die ein Absturz hinterlassen hat</translation>
+    </message>
+    <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportieren…</translation>
     </message>
@@ -1678,6 +1686,38 @@
         <translation>Sonst gehen sie verloren.</translation>
     </message>
     <message>
+        <source>Changed by another program</source>
+        <translation>Von einem anderen Programm geändert</translation>
+    </message>
+    <message>
+        <source>{name} was changed by another program since it was opened here.</source>
+        <translation>{name} wurde von einem anderen Programm geändert, seit es hier geöffnet wurde.</translation>
+    </message>
+    <message>
+        <source>Overwriting it loses what that program has written.</source>
+        <translation>Beim Überschreiben geht verloren, was jenes Programm geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>Save &amp;Elsewhere…</source>
+        <translation>&amp;Anderswo speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>Ü&amp;berschreiben</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>Nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>{name} was not saved</source>
+        <translation>{name} wurde nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>The document is still open, with all its changes.</source>
+        <translation>Das Dokument ist noch offen, mit allen Änderungen.</translation>
+    </message>
+    <message>
         <source>Not possible</source>
         <translation>Nicht möglich</translation>
     </message>
@@ -2060,10 +2100,6 @@
     <message>
         <source>{name} was not written</source>
         <translation>{name} wurde nicht geschrieben</translation>
-    </message>
-    <message>
-        <source>{name} was not saved</source>
-        <translation>{name} wurde nicht gespeichert</translation>
     </message>
 </context>
 <context>
@@ -2546,6 +2582,76 @@
     <message>
         <source>Turn</source>
         <translation>Drehung</translation>
+    </message>
+</context>
+<context>
+    <name>Recovering</name>
+    <message>
+        <source>There are no recovered documents.</source>
+        <translation>Es gibt keine geretteten Dokumente.</translation>
+    </message>
+    <message>
+        <source>{name} cannot be opened</source>
+        <translation>{name} lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>Unsaved changes are kept safe again.</source>
+        <translation>Ungespeicherte Änderungen werden wieder gesichert.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes are not kept safe, so save often: {why}</source>
+        <translation>Ungespeicherte Änderungen werden nicht gesichert, speichern Sie also oft: {why}</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryDialog</name>
+    <message>
+        <source>Recovered documents</source>
+        <translation>Gerettete Dokumente</translation>
+    </message>
+    <message>
+        <source>The program ended unexpectedly. What was not saved then has been kept:</source>
+        <translation>Das Programm endete unerwartet. Was da nicht gespeichert war, ist aufbewahrt:</translation>
+    </message>
+    <message>
+        <source>What is left for later is offered again, and is in the File menu.</source>
+        <translation>Was für später bleibt, wird wieder angeboten und steht im Menü Datei.</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Discard…</source>
+        <translation>&amp;Verwerfen…</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Später</translation>
+    </message>
+    <message>
+        <source>Damaged, it cannot be opened</source>
+        <translation>Beschädigt, es lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Unbenannt</translation>
+    </message>
+    <message>
+        <source>never saved to a file</source>
+        <translation>noch nie in einer Datei gespeichert</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Discard the unsaved work on “{name}”?</source>
+        <translation>Die ungespeicherte Arbeit an „{name}“ verwerfen?</translation>
+    </message>
+    <message>
+        <source>It cannot be brought back. A saved file stays as it is.</source>
+        <translation>Sie lässt sich nicht zurückholen. Eine gespeicherte Datei bleibt, wie sie ist.</translation>
     </message>
 </context>
 <context>

@@ -169,6 +169,11 @@ def write_project(path: Path, project: Project) -> None:
     InvalidFile
         If it cannot be written; an old file stays as it was.
     """
+    write_document(path, project_content(project))
+
+
+def project_content(project: Project) -> dict[str, Any]:
+    """Give what a project file holds, by the names that it has there."""
     shapes = [
         _Shape(shape.picture, [_Part(p.name, p.colour, p.visible, rows_of(p.ring)) for p in shape.parts])
         for shape in project.shapes
@@ -185,9 +190,8 @@ def write_project(path: Path, project: Project) -> None:
         for step in project.steps
     ]
     methods = list(project.methods)
-    write_document(
-        path, _Document(FORMAT, VERSION, project.name, shapes, steps, methods, project.description)
-    )
+    document = _Document(FORMAT, VERSION, project.name, shapes, steps, methods, project.description)
+    return msgspec.structs.asdict(document)
 
 
 def _read(path: Path) -> _Document:

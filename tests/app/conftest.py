@@ -2,7 +2,6 @@
 
 import os
 from collections.abc import Iterator
-from pathlib import Path
 
 os.environ["QT_QPA_PLATFORM"] = "offscreen"  # before Qt is loaded, whatever the surroundings say
 
@@ -36,8 +35,10 @@ def nothing_left_alive(request: pytest.FixtureRequest) -> Iterator[None]:
 
 
 @pytest.fixture(autouse=True)
-def settings_of_its_own(tmp_path: Path) -> None:
-    """Let no test read or write what the user of this machine has set."""
+def settings_of_its_own(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let no test read or write what the user of this machine has set, or has left unsaved."""
+    tmp_path = tmp_path_factory.mktemp("settings")
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     for kind in (QSettings.Format.NativeFormat, QSettings.Format.IniFormat):
         QSettings.setPath(kind, QSettings.Scope.UserScope, str(tmp_path))
 

@@ -31,6 +31,11 @@ COMMANDS = (
         ("Ctrl+Shift+S",),
     ),
     Command(
+        "recover",
+        QT_TRANSLATE_NOOP("Command", "Reco&vered Documents…"),
+        QT_TRANSLATE_NOOP("Command", "Open unsaved work that a crash has left behind"),
+    ),
+    Command(
         "export",
         QT_TRANSLATE_NOOP("Command", "&Export…"),
         QT_TRANSLATE_NOOP("Command", "Export keyframes, an animation or numbers"),
@@ -271,7 +276,7 @@ LANGUAGES = ("language-system", "language-en", "language-de")
 MENUS = (
     (
         QT_TRANSLATE_NOOP("Command", "&File"),
-        ("new", "open", "recent", "examples", "", "save", "save-as", "", "export", "", "quit"),
+        ("new", "open", "recent", "examples", "", "save", "save-as", "recover", "", "export", "", "quit"),
     ),
     (
         QT_TRANSLATE_NOOP("Command", "&Edit"),

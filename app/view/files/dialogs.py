@@ -28,10 +28,11 @@ PROJECT_ENDING = ".json"
 
 
 class Answer(Enum):
-    """What to do with unsaved changes."""
+    """What to do with changes."""
 
     SAVE = "save"
     DISCARD = "discard"
+    ELSEWHERE = "elsewhere"
     CANCEL = "cancel"
 
 
@@ -110,6 +111,45 @@ def ask_about_changes(parent: QWidget, name: str) -> Answer:
     box.setDefaultButton(kind.Save)
     answers = {kind.Save: Answer.SAVE, kind.Discard: Answer.DISCARD}
     return answers.get(kind(box.exec()), Answer.CANCEL)
+
+
+def ask_about_overtaking(parent: QWidget, path: Path) -> Answer:
+    """Ask whether to overwrite what another program has written into the file meanwhile."""
+    box = QMessageBox(parent)
+    box.setIcon(QMessageBox.Icon.Warning)
+    box.setWindowTitle(translate("Dialogs", "Changed by another program"))
+    box.setTextFormat(Qt.TextFormat.PlainText)
+    box.setText(
+        translate("Dialogs", "{name} was changed by another program since it was opened here.").format(
+            name=path.name
+        )
+    )
+    box.setInformativeText(translate("Dialogs", "Overwriting it loses what that program has written."))
+    elsewhere = box.addButton(translate("Dialogs", "Save &Elsewhere…"), QMessageBox.ButtonRole.AcceptRole)
+    overwrite = box.addButton(translate("Dialogs", "&Overwrite"), QMessageBox.ButtonRole.DestructiveRole)
+    box.addButton(QMessageBox.StandardButton.Cancel)
+    box.setDefaultButton(elsewhere)
+    box.exec()
+    clicked = box.clickedButton()
+    if clicked == elsewhere:
+        return Answer.ELSEWHERE
+    return Answer.SAVE if clicked == overwrite else Answer.CANCEL
+
+
+def ask_for_another_place(parent: QWidget, path: Path, error: StarskelError) -> bool:
+    """Say why a file was not saved, and ask whether to save it elsewhere."""
+    box = QMessageBox(parent)
+    box.setIcon(QMessageBox.Icon.Warning)
+    box.setWindowTitle(translate("Dialogs", "Not saved"))
+    box.setTextFormat(Qt.TextFormat.PlainText)
+    box.setText(translate("Dialogs", "{name} was not saved").format(name=path.name))
+    kept = translate("Dialogs", "The document is still open, with all its changes.")
+    box.setInformativeText(words.sentences(error, "\n\n") + "\n\n" + kept)
+    elsewhere = box.addButton(translate("Dialogs", "Save &Elsewhere…"), QMessageBox.ButtonRole.AcceptRole)
+    box.addButton(QMessageBox.StandardButton.Cancel)
+    box.setDefaultButton(elsewhere)
+    box.exec()
+    return box.clickedButton() == elsewhere
 
 
 def complain(parent: QWidget, heading: str, error: StarskelError) -> None:

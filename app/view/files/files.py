@@ -14,6 +14,8 @@ from app.view.files.dialogs import (
     Answer,
     PairDialog,
     ask_about_changes,
+    ask_about_overtaking,
+    ask_for_another_place,
     complain,
     path_to_open,
     path_to_save,
@@ -136,11 +138,15 @@ class Files(QObject):
             self._session.show_project(Project.of(file.pair(chosen)))
 
     def _save(self, path: Path) -> bool:
+        if path == self._session.path and self._session.overtaken:
+            answer = ask_about_overtaking(self._window, path)
+            if answer is not Answer.SAVE:
+                return answer is Answer.ELSEWHERE and self.save_as()
         try:
             self._session.save(path)
         except StarskelError as error:
-            complain(self._window, self.tr("{name} was not saved").format(name=path.name), error)
-            return False
+            elsewhere = ask_for_another_place(self._window, path, error)
+            return elsewhere and self.save_as()
         self._folder = path.parent
         remember_file(path)
         return True

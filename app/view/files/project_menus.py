@@ -99,7 +99,7 @@ class RecentMenu(ProjectMenu):
         forget.setEnabled(bool(paths))
 
 
-def project_icon(project: Project, palette: QPalette) -> QIcon:
+def project_icon(project: Project, palette: QPalette, size: QSize = PICTURE) -> QIcon:
     """Give a picture of the first shape that has been drawn, in a second colour for where it is chosen."""
     shape = next((each for each in project.shapes if each.parts), None)
     icon = QIcon()
@@ -107,11 +107,12 @@ def project_icon(project: Project, palette: QPalette) -> QIcon:
     for mode, colour in (
         (QIcon.Mode.Normal, theme.side("source")),
         (QIcon.Mode.Active, QColor(theme.on_accent)),
+        (QIcon.Mode.Selected, QColor(theme.on_accent)),
     ):
-        picture = layer_of(PICTURE, 2.0)
+        picture = layer_of(size, 2.0)
         if shape is not None:
             with painting(picture) as painter:
-                box = QRectF(0, 0, PICTURE.width(), PICTURE.height())
+                box = QRectF(0, 0, size.width(), size.height())
                 paint_thumbnail(painter, box, shape, colour)
         icon.addPixmap(picture, mode)
     return icon

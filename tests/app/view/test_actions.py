@@ -21,7 +21,18 @@ from app.view.painting.theme import DARK, LIGHT, Theme, apply_theme
 
 SUBMENUS = {"methods", "layers"}
 
-ASKING = {"quit", "open", "save", "save-as", "export", "picture-open", "find-command", "shortcuts", "about"}
+ASKING = {
+    "quit",
+    "open",
+    "save",
+    "save-as",
+    "recover",
+    "export",
+    "picture-open",
+    "find-command",
+    "shortcuts",
+    "about",
+}
 
 
 def menu_actions(menu: QMenu) -> list[QAction]:

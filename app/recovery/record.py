@@ -1,0 +1,65 @@
+"""Record: a document with unsaved changes, and the file that it belongs to.
+
+It is written as a project file with one entry more, so that any program that opens projects opens it, too.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import msgspec
+
+from starskel.files.documents import read_document, write_document
+from starskel.files.project import Project
+from starskel.files.project_file import project_content, read_project
+
+
+@dataclass(frozen=True)
+class Record:
+    """What is kept of a document.
+
+    Attributes
+    ----------
+    project : Project
+        The document as it was last.
+    origin : Path or None
+        Its own file, None before it has one.
+    digest : str or None
+        Of that file, as it was when it was read or written last.
+    """
+
+    project: Project
+    origin: Path | None = None
+    digest: str | None = None
+
+
+class _Origin(msgspec.Struct, frozen=True):
+    path: str | None = None
+    digest: str | None = None
+
+
+class _Header(msgspec.Struct, frozen=True):
+    recovery: _Origin = _Origin()
+
+
+def write_record(path: Path, record: Record) -> None:
+    """Write a record, whole or not at all.
+
+    Raises
+    ------
+    InvalidFile
+        If it cannot be written.
+    """
+    origin = _Origin(None if record.origin is None else str(record.origin.absolute()), record.digest)
+    write_document(path, {**project_content(record.project), "recovery": origin})
+
+
+def read_record(path: Path) -> Record:
+    """Read a record.
+
+    Raises
+    ------
+    InvalidFile
+        If it cannot be read or is damaged.
+    """
+    origin = read_document(path, _Header).recovery
+    return Record(read_project(path), None if origin.path is None else Path(origin.path), origin.digest)

@@ -1,0 +1,224 @@
+"""Saving where it fails, and what is left after a crash: with real disks, real crashes and real dialogs."""
+
+import shutil
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QMessageBox, QPushButton, QWidget
+
+from app.recovery.places import Place, state_folder
+from app.recovery.record import Record, write_record
+from app.view.files.recovery_dialog import RecoveryDialog
+from app.view.start import begin
+from starskel.files.examples import example
+from starskel.files.project_file import read_project, write_project
+from tests.app.driver import CONTROL, SQUARE, Driver, name_file
+from tests.disks import filled, read_only, small_disk
+
+
+@pytest.fixture(autouse=True)
+def own_dialogs(qapp, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:  # type: ignore[no-untyped-def]
+    """Take Qt's own file dialogs, which can be typed into, not the desktop's; begin in an empty folder."""
+    qapp.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
+    monkeypatch.chdir(tmp_path)
+
+
+def click(dialog: QWidget, text: str) -> None:
+    """Click the button that says this."""
+    (button,) = [each for each in dialog.findChildren(QPushButton) if each.text().replace("&", "") == text]
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+
+
+def saved(driver: Driver, path: Path) -> Path:
+    """Draw and save."""
+    driver.draw("source", SQUARE)
+    driver.session.save(path)
+    return path
+
+
+def changed(driver: Driver) -> None:
+    driver.draw("target", SQUARE)
+    assert driver.session.unsaved
+
+
+def save_elsewhere(driver: Driver, expected: str) -> list[str]:
+    """Press Ctrl+S, which fails, and take the offer of another place."""
+    said: list[str] = []
+
+    def answer(dialog: QWidget) -> None:
+        assert isinstance(dialog, QMessageBox)
+        said.append(f"{dialog.text()} {dialog.informativeText()}")
+        driver.in_dialog(lambda inner: name_file(inner, "elsewhere.json"))
+        click(dialog, "Save Elsewhere…")
+
+    driver.in_dialog(answer)
+    driver.key(Qt.Key.Key_S, CONTROL)
+    assert expected in said[0], said
+    return said
+
+
+def test_on_a_full_disk_it_is_said_the_old_file_stays_and_another_place_is_offered(
+    driver: Driver, tmp_path: Path
+) -> None:
+    with small_disk(tmp_path / "small") as disk:
+        path = saved(driver, disk / "a.json")
+        old = path.read_bytes()
+        changed(driver)
+        with filled(disk):
+            save_elsewhere(driver, "No space left on device")
+        assert path.read_bytes() == old
+        assert sorted(each.name for each in disk.iterdir()) == ["a.json"]
+    assert not driver.session.unsaved
+    assert driver.session.path is not None
+    assert driver.session.path.name == "elsewhere.json"
+    assert read_project(driver.session.path).shapes[1].parts
+
+
+def test_a_read_only_disk_is_named_and_cancelling_keeps_the_document_unsaved(
+    driver: Driver, tmp_path: Path
+) -> None:
+    with small_disk(tmp_path / "small") as disk:
+        path = saved(driver, disk / "a.json")
+        changed(driver)
+        kept = driver.document
+        read_only(disk)
+        said: list[str] = []
+
+        def cancel(dialog: QWidget) -> None:
+            assert isinstance(dialog, QMessageBox)
+            said.append(dialog.informativeText())
+            click(dialog, "Cancel")
+
+        driver.in_dialog(cancel)
+        driver.key(Qt.Key.Key_S, CONTROL)
+        assert "Read-only file system" in said[0]
+        assert driver.session.unsaved
+        assert driver.document == kept
+        assert driver.session.path == path
+
+
+def test_a_folder_that_has_gone_is_named_and_another_place_is_offered(driver: Driver, tmp_path: Path) -> None:
+    (tmp_path / "folder").mkdir()
+    saved(driver, tmp_path / "folder" / "a.json")
+    changed(driver)
+    shutil.rmtree(tmp_path / "folder")
+    save_elsewhere(driver, "No such file or directory")
+    assert not driver.session.unsaved
+
+
+@pytest.mark.parametrize("answer", ["Overwrite", "Save Elsewhere…", "Cancel"])
+def test_a_file_changed_by_another_program_is_not_overwritten_unasked(
+    driver: Driver, tmp_path: Path, answer: str
+) -> None:
+    path = saved(driver, tmp_path / "a.json")
+    changed(driver)
+    write_project(path, example("arm"))
+    foreign = path.read_bytes()
+
+    def act(dialog: QWidget) -> None:
+        assert isinstance(dialog, QMessageBox)
+        assert "changed by another program" in dialog.text()
+        if answer.startswith("Save"):
+            driver.in_dialog(lambda inner: name_file(inner, "elsewhere.json"))
+        click(dialog, answer)
+
+    driver.in_dialog(act)
+    driver.key(Qt.Key.Key_S, CONTROL)
+    assert (path.read_bytes() == foreign) is (answer != "Overwrite")
+    assert driver.session.unsaved is (answer == "Cancel")
+
+
+def test_saving_again_after_overwriting_asks_nothing_nor_does_a_file_written_anew_as_it_was(
+    driver: Driver, tmp_path: Path
+) -> None:
+    path = saved(driver, tmp_path / "a.json")
+    path.write_bytes(path.read_bytes())
+    changed(driver)
+    driver.key(Qt.Key.Key_S, CONTROL)
+    assert not driver.session.unsaved
+    path.unlink()
+    driver.key(Qt.Key.Key_A, CONTROL)
+    driver.key(Qt.Key.Key_Delete)
+    driver.key(Qt.Key.Key_S, CONTROL)
+    assert path.exists(), "a file that was deleted meanwhile is there again"
+
+
+def left(name: str, origin: Path | None = None) -> Place:
+    """Leave a record as a crash does."""
+    place = Place.new()
+    write_record(place.path, Record(example(name), origin))
+    place.release()
+    return place
+
+
+def test_a_start_after_a_crash_offers_each_document_and_opens_one_as_unsaved(
+    driver: Driver, tmp_path: Path
+) -> None:
+    places = [left("arm", tmp_path / "mine.json"), left("arm")]
+    seen: list[str] = []
+
+    def open_mine(dialog: QWidget) -> None:
+        assert isinstance(dialog, RecoveryDialog)
+        items = [dialog.documents.item(row) for row in range(dialog.documents.count())]
+        seen.extend(item.text() for item in items)
+        assert not any(item.icon().isNull() for item in items)
+        dialog.documents.setCurrentItem(next(item for item in items if item.text().startswith("mine")))
+        click(dialog, "Open")
+
+    driver.in_dialog(open_mine)
+    begin(driver.window, None)
+    assert len(seen) == 2
+    assert any("never saved" in text for text in seen)
+    assert driver.session.path == tmp_path / "mine.json"
+    assert driver.session.unsaved
+    assert driver.document.source == example("arm").shapes[0].rings[0]
+    driver.session.save(tmp_path / "mine.json")
+    driver.wait(lambda: not places[0].path.exists())
+    assert places[1].path.exists()
+
+
+def test_discarding_asks_and_later_leaves_all(driver: Driver) -> None:
+    places = [left("arm"), left("arm")]
+
+    def discard_one(dialog: QWidget) -> None:
+        for answer in ("Cancel", "Discard"):
+            driver.in_dialog(lambda question, answer=answer: click(question, answer))
+            click(dialog, "Discard…")
+        assert isinstance(dialog, RecoveryDialog)
+        assert dialog.documents.count() == 1
+        click(dialog, "Later")
+
+    driver.in_dialog(discard_one)
+    driver.window.actions_table["recover"].trigger()
+    assert sorted(place.path.exists() for place in places) == [False, True]
+    assert driver.document.source is None
+
+
+def test_without_anything_left_the_command_says_so(driver: Driver) -> None:
+    driver.window.actions_table["recover"].trigger()
+    assert driver.window.statusBar().currentMessage() == "There are no recovered documents."
+
+
+def test_recovering_does_not_lose_what_is_open(driver: Driver) -> None:
+    left("arm")
+    driver.draw("source", SQUARE)
+    kept = driver.document
+
+    def open_it(dialog: QWidget) -> None:
+        driver.in_dialog(lambda question: click(question, "Cancel"))
+        click(dialog, "Open")
+
+    driver.in_dialog(open_it)
+    driver.window.actions_table["recover"].trigger()
+    assert driver.document == kept
+
+
+def test_a_window_that_is_closed_leaves_no_record(driver: Driver) -> None:
+    driver.draw("source", SQUARE)
+    assert driver.window.recovering.keeper.keep_now()
+    assert list((state_folder() / "recovery").glob("*.json"))
+    driver.in_dialog(lambda question: click(question, "Discard"))
+    driver.window.close()
+    assert not list((state_folder() / "recovery").iterdir())
