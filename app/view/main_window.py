@@ -21,6 +21,7 @@ from app.view.commands.table import LANGUAGES, PALETTE
 from app.view.convenience import Convenience
 from app.view.files.drops import Drops
 from app.view.files.files import Files
+from app.view.files.importing import Importing
 from app.view.files.project_menus import ExamplesMenu, RecentMenu
 from app.view.files.recovering import Recovering
 from app.view.files.remembered import remember_theme
@@ -48,9 +49,10 @@ class MainWindow(QMainWindow):
         self.session = session
         self.player = Player(self)
         self.display = Display(self)
-        self.files = Files(self, session, self.player, self.display)
-        self.recovering = Recovering(self, session, self.files)
         self.canvases: dict[Side, Canvas] = {side: Canvas(session, side, self.display) for side in SIDES}
+        self.importing = Importing(self, session, self.canvases)
+        self.files = Files(self, session, self.player, self.display, self.importing)
+        self.recovering = Recovering(self, session, self.files)
         self.edits = Edits(self, session, self.canvases)
         self.sequencing = Sequencing(self, session, self.player)
         self.partnering = Partnering(self, session)
@@ -86,9 +88,7 @@ class MainWindow(QMainWindow):
         self.partnering.wanted.connect(self._parts_dock.show)
         self.convenience.begin(self.actions_table)
         self._take_drops()
-        status = Status(session, self.actions_table)
-        self.files.exported.connect(status.tell_written)
-        self.setStatusBar(status)
+        self.setStatusBar(self._status())
         self.resize(QSize(1280, 860).boundedTo(self.screen().availableSize()))
         self.canvases["source"].setFocus()
         self._examples.chosen.connect(self.files.open_example)
@@ -125,8 +125,14 @@ class MainWindow(QMainWindow):
         layout.addWidget(self.timeline)
         return body
 
+    def _status(self) -> Status:
+        status = Status(self.session, self.actions_table)
+        self.files.exported.connect(status.tell_written)
+        self.importing.told.connect(status.tell)
+        return status
+
     def _take_drops(self) -> None:
-        drops = Drops(self, self.session, self.files)
+        drops = Drops(self, self.session, self.files, self.importing)
         self.setAcceptDrops(True)
         for place in (self, *self.canvases.values()):
             place.installEventFilter(drops)
@@ -148,6 +154,8 @@ class MainWindow(QMainWindow):
         return {
             "new": files.new,
             "open": files.choose,
+            "import": self.importing.choose,
+            "paste": self.importing.paste,
             "save": files.save,
             "save-as": files.save_as,
             "export": files.export,
@@ -293,6 +301,7 @@ class MainWindow(QMainWindow):
         if self.files.may_go():
             self.player.pause()
             self.convenience.keep()
+            self.importing.close()
             self.session.close()
             self.recovering.close()
             event.accept()

@@ -99,6 +99,11 @@ class Status(QStatusBar):
         self._show_hint()
         self._show_busy(session.busy)
 
+    @Slot(str)
+    def tell(self, text: str) -> None:
+        """Say something for a while; nothing ends what was said before."""
+        self.showMessage(text, NOTICE)
+
     @Slot(object)
     def tell_written(self, path: Path) -> None:
         """Say that a file was written, and offer to show it in its folder."""

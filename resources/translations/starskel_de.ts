@@ -68,10 +68,6 @@
         <translation>das SVG ist beschädigt: {error}</translation>
     </message>
     <message>
-        <source>copy it again</source>
-        <translation>kopieren Sie es noch einmal</translation>
-    </message>
-    <message>
         <source>there is no outline on the clipboard</source>
         <translation>in der Zwischenablage ist kein Umriss</translation>
     </message>
@@ -426,10 +422,6 @@
     <message>
         <source>set the vertex elsewhere</source>
         <translation>setzen Sie den Eckpunkt woandershin</translation>
-    </message>
-    <message>
-        <source>there is no outline in {name}</source>
-        <translation>in {name} ist kein Umriss</translation>
     </message>
     <message>
         <source>{count} methods do not go into one such file</source>
@@ -843,10 +835,6 @@
         <translation>Ö&amp;ffnen…</translation>
     </message>
     <message>
-        <source>Open a project or a file of polygon pairs</source>
-        <translation>Ein Projekt oder eine Datei mit Polygonpaaren öffnen</translation>
-    </message>
-    <message>
         <source>&amp;Save</source>
         <translation>&amp;Speichern</translation>
     </message>
@@ -1009,6 +997,18 @@
     <message>
         <source>Show frames before and after as faint outlines</source>
         <translation>Zwischenbilder davor und danach als blasse Umrisse zeigen</translation>
+    </message>
+    <message>
+        <source>Open a project, a file of polygon pairs, or shapes of a drawing</source>
+        <translation>Ein Projekt, eine Datei mit Polygonpaaren oder Formen einer Zeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Import Shapes…</source>
+        <translation>Formen &amp;importieren …</translation>
+    </message>
+    <message>
+        <source>Take shapes of an SVG, a map, a picture or a font onto the canvases</source>
+        <translation>Formen einer SVG-Datei, Karte, eines Bildes oder einer Schrift auf die Zeichenflächen holen</translation>
     </message>
     <message>
         <source>Export keyframes, an animation or numbers</source>
@@ -1648,6 +1648,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>{name} holds %n shapes.</source>
+        <translation>
+            <numerusform>{name} enthält %n Form.</numerusform>
+            <numerusform>{name} enthält %n Formen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n marks went with this edit. Undo brings them back.</source>
         <translation>
             <numerusform>%n Marke ging mit dieser Änderung verloren. „Rückgängig“ bringt sie wieder.</numerusform>
@@ -1662,8 +1669,24 @@
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Projects and polygon pairs (*.json);;All files (*)</source>
-        <translation>Projekte und Polygonpaare (*.json);;Alle Dateien (*)</translation>
+        <source>All that can be opened ({endings})</source>
+        <translation>Alles, was sich öffnen lässt ({endings})</translation>
+    </message>
+    <message>
+        <source>Projects and polygon pairs (*.json)</source>
+        <translation>Projekte und Polygonpaare (*.json)</translation>
+    </message>
+    <message>
+        <source>Drawings, maps, pictures and fonts ({endings})</source>
+        <translation>Zeichnungen, Karten, Bilder und Schriften ({endings})</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Import shapes</source>
+        <translation>Formen importieren</translation>
     </message>
     <message>
         <source>Open picture</source>
@@ -2220,6 +2243,21 @@
     </message>
 </context>
 <context>
+    <name>Importing</name>
+    <message>
+        <source>Reading {name}…</source>
+        <translation>{name} wird gelesen …</translation>
+    </message>
+    <message>
+        <source>{name} cannot be read</source>
+        <translation>{name} lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>Mended: {what}</source>
+        <translation>Ausgebessert: {what}</translation>
+    </message>
+</context>
+<context>
     <name>KeyStrip</name>
     <message>
         <source>Key shapes, {step} on the canvases</source>
@@ -2705,6 +2743,25 @@
     </message>
 </context>
 <context>
+    <name>ShapeChooser</name>
+    <message>
+        <source>Leave as it is</source>
+        <translation>So lassen, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Choose shapes</source>
+        <translation>Formen auswählen</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtern</translation>
+    </message>
+    <message>
+        <source>Mended: {what}</source>
+        <translation>Ausgebessert: {what}</translation>
+    </message>
+</context>
+<context>
     <name>ShortcutsDialog</name>
     <message>
         <source>Keyboard shortcuts</source>
@@ -3053,6 +3110,10 @@
     <message>
         <source>Move separately</source>
         <translation>Getrennt bewegen</translation>
+    </message>
+    <message>
+        <source>Import shapes</source>
+        <translation>Formen importieren</translation>
     </message>
 </context>
 <context>

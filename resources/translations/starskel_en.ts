@@ -39,6 +39,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>{name} holds %n shapes.</source>
+        <translation>
+            <numerusform>{name} holds %n shape.</numerusform>
+            <numerusform>{name} holds %n shapes.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n marks went with this edit. Undo brings them back.</source>
         <translation>
             <numerusform>%n mark went with this edit. Undo brings it back.</numerusform>

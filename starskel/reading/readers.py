@@ -72,13 +72,29 @@ def read_shapes(path: Path, tolerance: float = TOLERANCE, texts: Sequence[str] =
     InvalidFile
         If it cannot be read, is damaged, or holds no shape.
     """
-    found = next((own for own in FORMATS if path.suffix.lower() in own.endings), None)
-    if found is None:
-        raise InvalidFile(
-            told('{name} ends in "{ending}"', name=path.name, ending=path.suffix),
-            told("give a file that ends in {endings}", endings=either(ENDINGS)),
-        )
-    content = read_bytes(path)
+    format_of(path)  # refuses before anything is read
+    return read_content(read_bytes(path), path, tolerance, texts)
+
+
+def read_content(
+    content: bytes, path: Path, tolerance: float = TOLERANCE, texts: Sequence[str] = ()
+) -> Reading:
+    """Read the shapes that the content of a file holds, wherever it comes from, as `read_shapes` does.
+
+    Parameters
+    ----------
+    content : bytes
+    path : Path
+        What errors call it; the ending tells the format.
+    tolerance, texts
+        As there.
+
+    Raises
+    ------
+    InvalidFile
+        If it is damaged, or holds no shape.
+    """
+    found = format_of(path)
     try:
         reading = found.reader.read(content, Wanted(tolerance, tuple(texts)))
     except InvalidFile as error:
@@ -89,3 +105,20 @@ def read_shapes(path: Path, tolerance: float = TOLERANCE, texts: Sequence[str] =
             told("give a file with at least one closed outline"),
         )
     return reading
+
+
+def format_of(path: Path) -> Format:
+    """Give the format of a file by the ending of its name.
+
+    Raises
+    ------
+    InvalidFile
+        If no format has it.
+    """
+    found = next((own for own in FORMATS if path.suffix.lower() in own.endings), None)
+    if found is None:
+        raise InvalidFile(
+            told('{name} ends in "{ending}"', name=path.name, ending=path.suffix),
+            told("give a file that ends in {endings}", endings=either(ENDINGS)),
+        )
+    return found

@@ -5,7 +5,7 @@ import numpy as np
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
-from app.model.svg_outline import outline_svg, outlines_of
+from app.model.svg_outline import outline_svg
 from starskel.errors import InvalidFile, told
 from starskel.predicates import Floats
 
@@ -34,31 +34,34 @@ def leave_clipboard() -> None:
         clipboard.setText(data.text())
 
 
-def copied_ring() -> Floats:
-    """Give the outline on the clipboard, of several the largest.
+def copied_ring() -> Floats | None:
+    """Give the ring that this program put on the clipboard, None where there is none."""
+    data = _data()
+    if not data.hasFormat(OWN):
+        return None
+    return np.array(msgspec.json.decode(bytes(data.data(OWN).data()), type=list[tuple[float, float]]))
+
+
+def copied_svg() -> bytes:
+    """Give the SVG that is on the clipboard.
 
     Raises
     ------
     InvalidFile
-        If there is none, or what is there is damaged.
+        If there is none.
     """
-    data = QGuiApplication.clipboard().mimeData() or QMimeData()  # some systems have none at first
-    if data.hasFormat(OWN):
-        rows = msgspec.json.decode(bytes(data.data(OWN).data()), type=list[tuple[float, float]])
-        return np.array(rows)
-    found = outlines_of(_svg(data))
-    if not found:
-        raise InvalidFile(
-            told("there is no outline on the clipboard"),
-            told("copy a shape here, or a path in another program"),
-        )
-    return found[0]
-
-
-def _svg(data: QMimeData) -> str:
-    """Give the SVG on the clipboard, an empty drawing where there is none."""
+    data = _data()
     for kind in SVG:
         if data.hasFormat(kind):
-            return bytes(data.data(kind).data()).decode(errors="replace")
+            return bytes(data.data(kind).data())
     text = data.text().strip()
-    return text if text.startswith("<") and "<svg" in text else "<svg/>"
+    if text.startswith("<") and "<svg" in text:
+        return text.encode()
+    raise InvalidFile(
+        told("there is no outline on the clipboard"),
+        told("copy a shape here, or a path in another program"),
+    )
+
+
+def _data() -> QMimeData:
+    return QGuiApplication.clipboard().mimeData() or QMimeData()  # some systems have none at first

@@ -7,17 +7,15 @@ from PySide6.QtCore import QObject, Slot
 
 from app.model.marks import Side
 from app.session import Session
-from app.tools.pasting import cut, pasted
-from app.tools.select import SelectTool
-from app.tools.tool import Refusal, Response, Scene
+from app.tools.pasting import cut
+from app.tools.tool import Scene
 from app.tools.verbs import VERBS, meant
 from app.view.canvas.canvas import Canvas
-from app.view.canvas.clipboard import copied_ring, copy_ring
-from starskel.errors import StarskelError
+from app.view.canvas.clipboard import copy_ring
 
 
 class Edits(QObject):
-    """The commands of the shape menu, and those of the clipboard."""
+    """The commands of the shape menu, and those that fill the clipboard."""
 
     def __init__(self, parent: QObject, session: Session, canvases: Mapping[Side, Canvas]) -> None:
         super().__init__(parent)
@@ -30,7 +28,6 @@ class Edits(QObject):
             **dict.fromkeys(VERBS, self._do),
             "cut": self._cut,
             "copy": self._copy,
-            "paste": self._paste,
         }
 
     @property
@@ -53,16 +50,3 @@ class Edits(QObject):
     def _cut(self) -> None:
         self._copy()
         self._session.edit(partial(cut, side=self._side))
-
-    @Slot()
-    def _paste(self) -> None:
-        """Paste onto the canvas that was worked on last, and show all of what came from elsewhere."""
-        side = self._session.selection.side
-        try:
-            ring = copied_ring()
-        except StarskelError as error:
-            refusal = Refusal(side, error)
-            self._session.edit(lambda scene: Response(SelectTool(side), refusal=refusal))
-            return
-        self._session.edit(partial(pasted, side=side, ring=ring))
-        self._canvases[side].reveal()

@@ -6,10 +6,10 @@ import numpy as np
 import shapely
 from PySide6.QtGui import QFont, QPainterPath
 
-from app.model.curves import flattened
 from app.tools.settings import Lettering
 from starskel.outline import signed_areas
 from starskel.predicates import Floats
+from starskel.reading.curves import flattened
 
 SIZE = 1000.0
 """Pixels for which the font is asked: so large that nothing is fitted to pixels."""

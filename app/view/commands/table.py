@@ -15,8 +15,14 @@ COMMANDS = (
     Command(
         "open",
         QT_TRANSLATE_NOOP("Command", "&Open…"),
-        QT_TRANSLATE_NOOP("Command", "Open a project or a file of polygon pairs"),
+        QT_TRANSLATE_NOOP("Command", "Open a project, a file of polygon pairs, or shapes of a drawing"),
         ("Ctrl+O",),
+    ),
+    Command(
+        "import",
+        QT_TRANSLATE_NOOP("Command", "&Import Shapes…"),
+        QT_TRANSLATE_NOOP("Command", "Take shapes of an SVG, a map, a picture or a font onto the canvases"),
+        ("Ctrl+I",),
     ),
     Command(
         "save",
@@ -276,7 +282,21 @@ LANGUAGES = ("language-system", "language-en", "language-de")
 MENUS = (
     (
         QT_TRANSLATE_NOOP("Command", "&File"),
-        ("new", "open", "recent", "examples", "", "save", "save-as", "recover", "", "export", "", "quit"),
+        (
+            "new",
+            "open",
+            "recent",
+            "examples",
+            "import",
+            "",
+            "save",
+            "save-as",
+            "recover",
+            "",
+            "export",
+            "",
+            "quit",
+        ),
     ),
     (
         QT_TRANSLATE_NOOP("Command", "&Edit"),

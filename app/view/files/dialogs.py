@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from app.view.wording import words
 from starskel.errors import StarskelError
+from starskel.reading.readers import ENDINGS
 
 translate = QCoreApplication.translate
 
@@ -39,9 +40,29 @@ class Answer(Enum):
 def path_to_open(parent: QWidget, folder: Path) -> Path | None:
     """Ask for a project or a file of pairs, from a folder on; None where the user thinks better of it."""
     title = translate("Dialogs", "Open")
-    kinds = translate("Dialogs", "Projects and polygon pairs (*.json);;All files (*)")
-    path, _ = QFileDialog.getOpenFileName(parent, title, str(folder), kinds)
+    kinds = (
+        translate("Dialogs", "All that can be opened ({endings})").format(endings=f"*.json {_shapes()}"),
+        translate("Dialogs", "Projects and polygon pairs (*.json)"),
+        translate("Dialogs", "Drawings, maps, pictures and fonts ({endings})").format(endings=_shapes()),
+        translate("Dialogs", "All files (*)"),
+    )
+    path, _ = QFileDialog.getOpenFileName(parent, title, str(folder), ";;".join(kinds))
     return Path(path) if path else None
+
+
+def path_to_import(parent: QWidget, folder: Path) -> Path | None:
+    """Ask for a file with shapes, from a folder on; None where the user thinks better of it."""
+    kinds = (
+        translate("Dialogs", "Drawings, maps, pictures and fonts ({endings})").format(endings=_shapes()),
+        translate("Dialogs", "All files (*)"),
+    )
+    title = translate("Dialogs", "Import shapes")
+    path, _ = QFileDialog.getOpenFileName(parent, title, str(folder), ";;".join(kinds))
+    return Path(path) if path else None
+
+
+def _shapes() -> str:
+    return " ".join(f"*{ending}" for ending in ENDINGS)
 
 
 def picture_to_open(parent: QWidget, folder: Path) -> Path | None:

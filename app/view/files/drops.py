@@ -1,4 +1,4 @@
-"""Files that are dropped on the window: projects, and outlines as SVG."""
+"""Files that are dropped on the window: projects, drawings, maps and fonts."""
 
 from functools import partial
 from pathlib import Path
@@ -7,15 +7,17 @@ from PySide6.QtCore import QEvent, QMimeData, QObject, QTimer
 from PySide6.QtGui import QDropEvent
 
 from app.model.marks import Side
-from app.model.svg_outline import outlines_of
 from app.session import Session
-from app.tools.pasting import pasted
-from app.tools.select import SelectTool
-from app.tools.tool import Refusal, Response
 from app.view.canvas.canvas import Canvas
 from app.view.files.files import Files
-from starskel.errors import InvalidFile, StarskelError, told
-from starskel.files.disk import read_bytes
+from app.view.files.importing import Aim, Importing
+from starskel.reading.readers import ENDINGS
+
+PICTURES = (".png", ".jpg", ".jpeg", ".webp", ".bmp", ".gif")
+"""Endings of pictures: those are put behind the shape, to be drawn over or traced."""
+
+TAKEN = tuple(ending for ending in ENDINGS if ending not in PICTURES)
+"""Endings of files whose shapes are put on a canvas."""
 
 _KINDS = (QEvent.Type.DragEnter, QEvent.Type.DragMove, QEvent.Type.Drop)
 
@@ -23,10 +25,11 @@ _KINDS = (QEvent.Type.DragEnter, QEvent.Type.DragMove, QEvent.Type.Drop)
 class Drops(QObject):
     """Takes files that are dropped on a window or its canvases, before these take them as pictures."""
 
-    def __init__(self, parent: QObject, session: Session, files: Files) -> None:
+    def __init__(self, parent: QObject, session: Session, files: Files, importing: Importing) -> None:
         super().__init__(parent)
         self._session = session
         self._files = files
+        self._importing = importing
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() not in _KINDS or not isinstance(event, QDropEvent):
@@ -42,25 +45,14 @@ class Drops(QObject):
         return True
 
     def take(self, path: Path, side: Side) -> None:
-        """Open a project; put an outline on a canvas."""
-        if path.suffix.lower() == ".svg":
-            self._put(path, side)
+        """Open a project; put a shape of a drawing, a map or a font on a canvas."""
+        if path.suffix.lower() in TAKEN:
+            self._importing.read(Aim(path, side))
         elif self._files.may_go():
             self._files.open(path)
 
-    def _put(self, path: Path, side: Side) -> None:
-        try:
-            found = outlines_of(read_bytes(path).decode(errors="replace"))
-            if not found:
-                raise InvalidFile(told("there is no outline in {name}", name=path.name))
-        except StarskelError as error:
-            refusal = Refusal(side, error)
-            self._session.edit(lambda scene: Response(SelectTool(side), refusal=refusal))
-        else:
-            self._session.edit(partial(pasted, side=side, ring=found[0]))
-
 
 def dropped_file(data: QMimeData) -> Path | None:
-    """Give the first project or SVG among what is dropped."""
+    """Give the first project among what is dropped, or file with shapes."""
     paths = (Path(url.toLocalFile()) for url in data.urls() if url.isLocalFile())
-    return next((path for path in paths if path.suffix.lower() in (".json", ".svg")), None)
+    return next((path for path in paths if path.suffix.lower() in (".json", *TAKEN)), None)

@@ -20,6 +20,7 @@ from app.view.files.dialogs import (
     path_to_open,
     path_to_save,
 )
+from app.view.files.importing import Aim, Importing
 from app.view.files.remembered import remember_file
 from app.view.painting.display import Display
 from app.view.timeline.player import Player
@@ -32,6 +33,7 @@ from starskel.files.multi_pairs import MultiPair, read_multi_pairs
 from starskel.files.pair_file import PairFile
 from starskel.files.pairs import ShapePair, read_pairs
 from starskel.files.project import Project
+from starskel.reading.readers import ENDINGS
 
 PAIRS: dict[str, Callable[[Path], PairFile[ShapePair] | PairFile[MultiPair]]] = {
     pairs.FORMAT: read_pairs,
@@ -45,8 +47,17 @@ class Files(QObject):
 
     exported = Signal(object)
 
-    def __init__(self, window: QMainWindow, session: Session, player: Player, display: Display) -> None:
+    def __init__(
+        self,
+        window: QMainWindow,
+        session: Session,
+        player: Player,
+        display: Display,
+        importing: Importing,
+    ) -> None:
         super().__init__(window)
+        self._importing = importing
+        importing.opened.connect(remember_file)
         self._window = window
         self._session = session
         self._player = player
@@ -82,8 +93,11 @@ class Files(QObject):
             self.open(path)
 
     def open(self, path: Path) -> None:
-        """Open a project, or a pair of a file of pairs; where that fails, what is open stays."""
+        """Open a project, a pair of a file of pairs, or a drawing; where that fails, what is open stays."""
         self._folder = path.absolute().parent
+        if path.suffix.lower() in ENDINGS:
+            self._importing.read(Aim(path, anew=True))
+            return
         try:
             if (read := PAIRS.get(format_of(path))) is not None:
                 self._open_pair(read(path))

@@ -21,6 +21,10 @@ class Counts(QObject):
     def seconds_left(self, count: int) -> str:
         return self.tr("about %n seconds left", "", count)
 
+    def shapes_in(self, name: str, count: int) -> str:
+        """Say how many shapes a file holds."""
+        return self.tr("{name} holds %n shapes.", "", count).format(name=name)
+
     def lost_marks(self, count: int) -> str:
         """Say that an edit took marks away."""
         return self.tr("%n marks went with this edit. Undo brings them back.", "", count)

@@ -24,6 +24,7 @@ SUBMENUS = {"methods", "layers"}
 ASKING = {
     "quit",
     "open",
+    "import",
     "save",
     "save-as",
     "recover",

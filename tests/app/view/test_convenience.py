@@ -122,7 +122,7 @@ def test_a_dropped_svg_becomes_the_shape_of_the_canvas_under_it(
     path.write_text('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0 L10 0 L10 10 Z"/></svg>')
     assert drop(driver, path, driver.window.canvases[side])  # type: ignore[index]
     driver.wait(lambda: driver.document.polygon(side) is not None)  # type: ignore[arg-type]
-    assert driver.session.undoes == "Paste shape"
+    assert driver.session.undoes == "Import shapes"
 
 
 def test_an_svg_without_outlines_is_refused_with_the_reason(driver: Driver, tmp_path: Path) -> None:

@@ -1,0 +1,178 @@
+"""Shapes of drawings, maps, pictures and fonts: read beside the window, chosen, and put on the canvases."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtWidgets import QWidget
+
+from app.compute import USUAL_METHODS
+from app.compute.errands import Errands, Outcome
+from app.model.document import Document
+from app.model.filing import project_of
+from app.model.marks import SIDES, Side
+from app.model.selection import Selection
+from app.model.texts import QT_TRANSLATE_NOOP
+from app.session import Session
+from app.tools.pasting import pasted, put
+from app.tools.select import SelectTool
+from app.tools.tool import Refusal, Response, Scene
+from app.view.canvas.canvas import Canvas
+from app.view.canvas.clipboard import copied_ring, copied_svg
+from app.view.files.dialogs import complain, path_to_import
+from app.view.wording import words
+from starskel.errors import StarskelError
+from starskel.task import Task
+
+if TYPE_CHECKING:  # what reads is loaded by the worker, so that the window opens sooner
+    from starskel.reading.found import Found, Reading
+
+
+_CLIPBOARD = Path("clipboard.svg")
+"""What errors call the clipboard."""
+
+
+@dataclass(frozen=True)
+class Aim:
+    """What is to become of the shapes of a file.
+
+    Attributes
+    ----------
+    path : Path
+    side : {"source", "target"} or None
+        The canvas that gets a shape, or None for both.
+    anew : bool
+        Whether they begin a new document.
+    """
+
+    path: Path
+    side: Side | None = None
+    anew: bool = False
+
+
+class Importing(QObject):
+    """Takes files that hold shapes."""
+
+    told = Signal(str)
+    """What there is to say of what was imported."""
+    opened = Signal(object)
+    """The path of a file whose shapes began a new document."""
+
+    def __init__(self, window: QWidget, session: Session, canvases: Mapping[Side, Canvas]) -> None:
+        super().__init__(window)
+        self._window = window
+        self._session = session
+        self._canvases = canvases
+        self._aim = Aim(Path())
+        self._errands = Errands(self)
+        self._errands.done.connect(self._take)
+
+    @Slot()
+    def choose(self) -> None:
+        """Ask for a file, and put shapes of it on the canvases."""
+        path = path_to_import(self._window, self._folder())
+        if path is not None:
+            self.read(Aim(path))
+
+    @Slot()
+    def paste(self) -> None:
+        """Put what is on the clipboard on the canvas that was worked on last, and show all of it."""
+        side = self._session.selection.side
+        if (ring := copied_ring()) is not None:
+            self._session.edit(partial(pasted, side=side, ring=ring))
+            self._canvases[side].reveal()
+            return
+        self._aim = Aim(_CLIPBOARD, side)
+        try:
+            content = copied_svg()
+        except StarskelError as error:
+            self._refuse(error)
+        else:
+            self._errands.do(partial(_read_content, content))
+
+    def read(self, aim: Aim) -> None:
+        """Read a file; what is then done with its shapes is the newest aim."""
+        self._aim = aim
+        self.told.emit(self.tr("Reading {name}…").format(name=aim.path.name))
+        self._errands.do(partial(_read, aim.path))
+
+    def close(self) -> None:
+        """End the worker; to be called before the program ends."""
+        self._errands.close()
+
+    def _folder(self) -> Path:
+        return Path.cwd() if self._session.path is None else self._session.path.parent
+
+    @Slot(object)
+    def _take(self, outcome: Outcome) -> None:
+        self.told.emit("")
+        if isinstance(outcome.error, StarskelError):
+            self._refuse(outcome.error)
+        elif outcome.error is not None:
+            raise outcome.error
+        elif (chosen := self._chosen(outcome.value)) is not None:
+            self._put(chosen)
+
+    def _refuse(self, error: StarskelError) -> None:
+        aim = self._aim
+        if aim.side is None:
+            complain(self._window, self.tr("{name} cannot be read").format(name=aim.path.name), error)
+        else:
+            refusal = Refusal(aim.side, error)
+            self._session.edit(lambda scene: Response(SelectTool(refusal.side), refusal=refusal))
+
+    def _chosen(self, reading: "Reading") -> "Mapping[Side, Found] | None":
+        """Give a shape for each canvas that gets one, asking where a file holds several."""
+        aim = self._aim
+        if len(reading.shapes) == 1:
+            return {aim.side or ("source" if aim.anew else self._session.selection.side): reading.shapes[0]}
+        chooser = import_module("app.view.files.shape_chooser")
+        sides = SIDES if aim.side is None else (aim.side,)
+        chosen: Mapping[Side, Found] | None = chooser.chosen_shapes(
+            aim.path.name, reading, sides, self._window, optional=not aim.anew
+        )
+        return chosen
+
+    def _put(self, chosen: "Mapping[Side, Found]") -> None:
+        shapes = {side: found.shape for side, found in chosen.items()}
+        name = (
+            QT_TRANSLATE_NOOP("Step", "Paste shape")
+            if self._aim.path == _CLIPBOARD
+            else QT_TRANSLATE_NOOP("Step", "Import shapes")
+        )
+        verb = partial(put, shapes=shapes, name=name)
+        if self._aim.anew:
+            title = self._aim.path.stem
+            begun = verb(Scene(Document(title, methods=USUAL_METHODS), Selection("source")))
+            if begun.commit is not None:
+                self._session.show_project(project_of(begun.commit.document, title))
+                self.opened.emit(self._aim.path)
+        else:
+            self._session.edit(verb)
+            for side in shapes:
+                self._canvases[side].reveal()
+        self._tell(chosen)
+
+    def _tell(self, chosen: "Mapping[Side, Found]") -> None:
+        """Say what was mended."""
+        lines = [
+            f"{words.retold(found.name)}: {words.retold(repair)}"
+            for found in chosen.values()
+            for repair in found.repairs
+        ]
+        if lines:
+            self.told.emit(self.tr("Mended: {what}").format(what="; ".join(lines)))
+
+
+def _read_content(content: bytes, _: Task) -> "Reading":
+    reading: Reading = import_module("starskel.reading.readers").read_content(content, _CLIPBOARD)
+    return reading
+
+
+def _read(path: Path, _: Task) -> "Reading":
+    reading: Reading = import_module("starskel.reading.readers").read_shapes(path)
+    return reading

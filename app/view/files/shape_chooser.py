@@ -1,0 +1,189 @@
+"""Which of the shapes of a file become the source and the target: two lists of small pictures."""
+
+from collections.abc import Mapping, Sequence
+
+from PySide6.QtCore import QCoreApplication, QModelIndex, QPersistentModelIndex, QRectF, QSize, Qt, Slot
+from PySide6.QtGui import QColor, QPainter
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.model.marks import Side
+from app.view.painting.theme import theme_of
+from app.view.painting.thumbnail import paint_shape
+from app.view.wording import words
+from app.view.wording.counts import COUNTS
+from starskel.reading.found import Found, Reading
+
+translate = QCoreApplication.translate
+
+PICTURE = 56
+"""Height of the picture of a shape, in pixels."""
+
+SHAPE = Qt.ItemDataRole.UserRole
+
+
+class _Rows(QStyledItemDelegate):
+    """Paints the picture of a shape before its name, when it is about to be seen."""
+
+    def __init__(self, side: Side, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._side: Side = side
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex) -> QSize:
+        return super().sizeHint(option, index).expandedTo(QSize(0, PICTURE + 8))
+
+    def initStyleOption(
+        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> None:
+        super().initStyleOption(option, index)
+        option.decorationSize = QSize(PICTURE + 8, PICTURE)
+        option.features |= QStyleOptionViewItem.ViewItemFeature.HasDecoration
+
+    def paint(
+        self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> None:
+        super().paint(painter, option, index)
+        found: Found | None = index.data(SHAPE)
+        if found is not None:
+            box = QRectF(option.rect).adjusted(4, 4, 0, -4)
+            box.setWidth(PICTURE)
+            theme, chosen = theme_of(option.palette), option.state & QStyle.StateFlag.State_Selected
+            paint_shape(
+                painter, box, found.shape, QColor(theme.on_accent) if chosen else theme.side(self._side)
+            )
+
+
+class ShapeList(QListWidget):
+    """The shapes of a file for one canvas; the first row may be that its shape stays."""
+
+    def __init__(self, side: Side, shapes: Sequence[Found], *, optional: bool) -> None:
+        super().__init__()
+        self.setItemDelegate(_Rows(side, self))
+        self.setUniformItemSizes(True)
+        self.setAccessibleName(words.side(side))
+        if optional:
+            self.addItem(translate("ShapeChooser", "Leave as it is"))
+        for found in shapes:
+            item = QListWidgetItem(str(words.retold(found.name)))
+            item.setData(SHAPE, found)
+            item.setToolTip("\n".join([item.text(), *(str(words.retold(own)) for own in found.repairs)]))
+            self.addItem(item)
+
+    @property
+    def chosen(self) -> Found | None:
+        """The shape chosen, None where none is or the one there stays."""
+        item = self.currentItem()
+        found: Found | None = None if item is None or item.isHidden() else item.data(SHAPE)
+        return found
+
+    def choose(self, number: int) -> None:
+        """Choose a shape by its number."""
+        self.setCurrentRow(self.count() - len(self) + number)
+
+    def __len__(self) -> int:
+        return sum(self.item(row).data(SHAPE) is not None for row in range(self.count()))
+
+    def narrow(self, text: str) -> None:
+        """Show only shapes whose names hold a text, and choose the first of them if need be."""
+        for row in range(self.count()):
+            item = self.item(row)
+            item.setHidden(item.data(SHAPE) is not None and text.casefold() not in item.text().casefold())
+        if self.currentItem() is None or self.currentItem().isHidden():
+            shown = (row for row in range(self.count()) if not self.item(row).isHidden())
+            self.setCurrentRow(next((row for row in shown if self.item(row).data(SHAPE)), -1))
+
+
+class ShapeChooser(QDialog):
+    """Lets the user choose a shape for each of the canvases that get one."""
+
+    def __init__(
+        self, name: str, reading: Reading, sides: Sequence[Side], parent: QWidget, *, optional: bool
+    ) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Choose shapes"))
+        self.resize(320 * len(sides) + 40, 560)
+        heading = QLabel(COUNTS.shapes_in(name, len(reading.shapes)))
+        heading.setWordWrap(True)
+        self._filter = QLineEdit()
+        self._filter.setPlaceholderText(self.tr("Filter"))
+        self._filter.setAccessibleName(self.tr("Filter"))
+        self._filter.setClearButtonEnabled(True)
+        self._filter.textChanged.connect(self._narrow)
+        several = optional and len(sides) > 1
+        self._lists = {side: ShapeList(side, reading.shapes, optional=several) for side in sides}
+        self._mended = {side: QLabel() for side in sides}
+        columns = QHBoxLayout()
+        for number, (side, own) in enumerate(self._lists.items()):
+            columns.addLayout(self._column(side, own))
+            own.choose(min(number, len(reading.shapes) - 1))
+            own.currentItemChanged.connect(self._follow)
+        kind = QDialogButtonBox.StandardButton
+        self._buttons = QDialogButtonBox(kind.Ok | kind.Cancel)
+        self._buttons.accepted.connect(self.accept)
+        self._buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.addWidget(heading)
+        layout.addWidget(self._filter)
+        layout.addLayout(columns, 1)
+        if reading.notes:
+            notes = QLabel("\n".join(str(words.retold(note)) for note in reading.notes))
+            notes.setWordWrap(True)
+            layout.addWidget(notes)
+        layout.addWidget(self._buttons)
+        next(iter(self._lists.values())).setFocus()
+        self._follow()
+
+    @property
+    def chosen(self) -> dict[Side, Found]:
+        """What was chosen, for each canvas that gets a shape."""
+        found = {side: own.chosen for side, own in self._lists.items()}
+        return {side: own for side, own in found.items() if own is not None}
+
+    def _column(self, side: Side, own: ShapeList) -> QVBoxLayout:
+        label, mended = QLabel(words.side(side)), self._mended[side]
+        label.setBuddy(own)
+        mended.setWordWrap(True)
+        mended.setMinimumHeight(3 * mended.fontMetrics().lineSpacing())
+        mended.setAlignment(Qt.AlignmentFlag.AlignTop)
+        own.itemDoubleClicked.connect(self.accept)
+        column = QVBoxLayout()
+        for widget in (label, own, mended):
+            column.addWidget(widget)
+        return column
+
+    @Slot(str)
+    def _narrow(self, text: str) -> None:
+        for own in self._lists.values():
+            own.narrow(text)
+
+    @Slot()
+    def _follow(self) -> None:
+        """Tell what was mended of the shapes chosen."""
+        for side, own in self._lists.items():
+            repairs = own.chosen.repairs if own.chosen is not None else ()
+            what = "; ".join(str(words.retold(own)) for own in repairs)
+            self._mended[side].setText(self.tr("Mended: {what}").format(what=what) if what else "")
+        self._buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(bool(self.chosen))
+
+
+def chosen_shapes(
+    name: str, reading: Reading, sides: Sequence[Side], parent: QWidget, *, optional: bool
+) -> Mapping[Side, Found] | None:
+    """Ask for a shape for each side; None where the user thinks better of it."""
+    dialog = ShapeChooser(name, reading, sides, parent, optional=optional)
+    try:
+        return dialog.chosen if dialog.exec() == QDialog.DialogCode.Accepted else None
+    finally:
+        dialog.deleteLater()
