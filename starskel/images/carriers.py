@@ -10,7 +10,6 @@ from starskel.blending.inner_mesh import InnerMesh, mesh_blend
 from starskel.blending.pieces import PieceBlend
 from starskel.correspondence import Correspondence
 from starskel.decomposition.pieces import Decomposition
-from starskel.polar import as_complex, as_points
 from starskel.predicates import Floats, Indices
 from starskel.shapes.body import Body
 from starskel.shapes.correspondence import PartPair
@@ -103,9 +102,8 @@ class _Moved:
     rows_at: Callable[[float], Floats]
 
     def nodes_at(self, t: float) -> Floats:
-        rows, nodes = self.rows_at(t), as_complex(self.blend.mesh_at(t))
-        turned = (nodes[len(rows) :] - nodes[0]) * np.exp(1j * self.body.rotation * t)
-        return np.concatenate([rows, as_points(turned + complex(*rows[0]))])
+        rows, nodes = self.rows_at(t), self.blend.mesh_at(t)
+        return np.concatenate([rows, self.body.carried(t, nodes[len(rows) :], nodes[0], rows[0])])
 
 
 def _edges(pair: Correspondence) -> Indices:

@@ -47,6 +47,11 @@ class Body:
         turned = np.exp(1j * self.rotation * ts)[:, None]
         return (rows - roots[:, None]) * turned, roots
 
+    def carried(self, t: float, points: Floats, anchor: Floats, place: Floats) -> Floats:
+        """Give (m, 2) points of the blend at t where the part is then; the anchor comes to a place."""
+        turn = np.exp(1j * self.rotation * t)
+        return as_points((as_complex(points) - complex(*anchor)) * turn + complex(*place))
+
     @property
     def root_ends(self) -> tuple[complex, complex]:
         """Where the root is in source and target."""

@@ -26,9 +26,9 @@ from app.view.painting.camera import Camera
 from app.view.painting.display import Layers
 from app.view.painting.drawing import faded, lines_of, pen, point_of, polygon_of
 from app.view.painting.frame_layers import paint_numbers, paint_way
-from app.view.painting.parts import paint_region, regions
+from app.view.painting.parts import looks_of, paint_region, regions
 from app.view.painting.pins import Pin, cross_at, outward, paint_pins
-from app.view.painting.structure import paint_cut
+from app.view.painting.structure import StructurePainter
 from app.view.painting.theme import theme_of
 from app.view.wording import words
 from app.view.wording.counts import COUNTS
@@ -167,8 +167,9 @@ class CanvasPainter:
     def _paint_structure(self) -> None:
         """Show how the shape is cut, where that is known of the shape as it is now."""
         if self._overlay.ring is None and not self._is_replaced():
-            results = self._session.fresh_results
-            paint_cut(self._painter, self._theme, self._camera, results, self._side, self._layers)
+            structure = StructurePainter(self._painter, self._theme, self._camera, self._layers)
+            shown = [look.visible for look in looks_of(self._session.document)]
+            structure.paint_cut(self._session.fresh_results, self._side, shown)
 
     def _paint_numbers(self) -> None:
         if self._layers.numbers:

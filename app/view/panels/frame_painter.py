@@ -5,22 +5,19 @@ from collections.abc import Sequence
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter
 
-from app.compute import STEERED, Result
+from app.compute import Result
 from app.view.painting.camera import Camera
 from app.view.painting.display import Layers
 from app.view.painting.drawing import faded, pen, point_of, polygon_of
 from app.view.painting.frame_layers import paint_numbers, paint_way
 from app.view.painting.parts import Look, paint_region, regions
 from app.view.painting.pins import cross_at
-from app.view.painting.structure import paint_pieces, paint_skeleton, paint_tree
+from app.view.painting.structure import StructurePainter, shown_structures
 from app.view.painting.theme import Theme
 from app.view.wording import verdicts
 from starskel import Correspondence
-from starskel.blending.pieces import PieceBlend
 from starskel.predicates import Floats
-from starskel.shapes.shape_blend import ShapeBlend
 from starskel.sheet.keyframe import Keyframe
-from starskel.sheet.shape_keyframe import tree_at
 
 STALE = 0.55
 """Opacity of a frame whose shapes have changed since."""
@@ -42,23 +39,24 @@ class FramePainter:
 
         Where there are pictures inside, neither fill nor outline is painted over them.
         """
-        blend, crossing = result.blend, verdicts.crossing_rings(result.report, t)
+        crossing = verdicts.crossing_rings(result.report, t)
         self._painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._painter.setOpacity(STALE if stale else 1.0)
-        points = blend.points_at(t) if isinstance(blend, PieceBlend) else None
-        rings = result.rings_at(t) if points is None else [points[: len(result.pairs[0])]]
+        rings = result.rings_at(t)
         looks = [*looks, *[Look()] * (len(rings) - len(looks))]  # a blend out of date may have more parts
         shown = [look.visible for look in looks[: len(rings)]]
-        if isinstance(blend, PieceBlend) and points is not None and self._layers.pieces:
-            paint_pieces(self._painter, self._theme, blend.decomposition, self._camera.to_screen(points))
-        elif not pictured:
-            self._fill(result, rings, t, looks, shown)
+        cut = StructurePainter(self._painter, self._theme, self._camera, self._layers)
+        wanted = self._layers.pieces or self._layers.skeleton
+        structures = shown_structures(result, t, shown) if wanted else ()
+        in_pieces = {each.number for each in structures} if self._layers.pieces else set()
+        if not pictured:
+            self._fill(result, rings, t, looks, [see and k not in in_pieces for k, see in enumerate(shown)])
+        cut.paint_pieces(structures)
         for number, ring in enumerate(rings):
             if shown[number] and (number in crossing or not pictured):
                 usual = looks[number].colour(self._theme, t)
                 self._outline(ring, QColor(self._theme.refused) if number in crossing else usual)
-        if self._layers.skeleton:
-            self._paint_skeleton(result, t)
+        cut.paint_skeletons(result, structures, t)
         for number, ring in enumerate(rings):
             if self._layers.numbers and shown[number]:
                 self._paint_numbers(result.pairs[number], ring)
@@ -73,15 +71,6 @@ class FramePainter:
         self._painter.setBrush(QColor(self._theme.accent))
         place = self._camera.to_screen(result.rings_at(t)[link][row])
         self._painter.drawEllipse(point_of(place), 5.5, 5.5)
-
-    def _paint_skeleton(self, result: Result, t: float) -> None:
-        blend = result.blend
-        if isinstance(blend, PieceBlend):
-            places = self._camera.to_screen(blend.skeleton_at(t))
-            paint_skeleton(self._painter, self._theme, blend.skeleton, places, root=result.method == STEERED)
-        elif isinstance(blend, ShapeBlend):
-            places = self._camera.to_screen(tree_at(blend, t).reshape(-1, 2)).reshape(-1, 2, 2)
-            paint_tree(self._painter, self._theme, places)
 
     def _paint_numbers(self, pair: Correspondence, frame: Floats) -> None:
         """Give the vertices the numbers of the source's; those that were inserted there have none."""

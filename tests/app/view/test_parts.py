@@ -276,3 +276,17 @@ def test_a_new_shape_in_the_sequence_keeps_the_parts_apart(face: Driver) -> None
     assert ends(face) == [(0, None), (1, None), (2, None)]
     face.draw("target", SQUARE)
     assert ends(face) == [(0, 0), (1, None), (2, None)]
+
+
+@pytest.mark.parametrize("switch", ["pieces", "skeleton"])
+def test_star_pieces_and_skeletons_of_parts_with_holes_are_shown(face: Driver, switch: str) -> None:
+    views = [face.window.canvases["source"], face.window.panels.panel("stitched").view]
+    holes = [view.camera.to_screen(np.array([27.5, 62.5])).round().astype(int) for view in views]
+    before = [view.grab().toImage() for view in views]
+    face.window.actions_table[switch].trigger()
+    after = [view.grab().toImage() for view in views]
+    for one, other, (x, y) in zip(before, after, holes, strict=True):
+        assert one != other
+        assert one.pixelColor(x, y) == other.pixelColor(x, y)  # a hole stays empty
+    face.window.actions_table[switch].trigger()
+    assert [view.grab().toImage() for view in views] == before

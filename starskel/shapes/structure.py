@@ -1,0 +1,50 @@
+"""Star pieces and skeletons of all parts of a blend, where they are at one time."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from starskel.blending.frames import Blend
+from starskel.blending.pieces import PieceBlend
+from starskel.predicates import Floats
+from starskel.shapes.shape_blend import ShapeBlend
+
+
+@dataclass(frozen=True, eq=False)
+class Structure:
+    """One part's star pieces and skeleton.
+
+    Attributes
+    ----------
+    number : int
+        That of the part's outline among the rings of a frame.
+    blend : PieceBlend
+        What has the decomposition and the skeleton.
+    points : (m, 2) array
+        The points that the pieces name.
+    skeleton : (2 k - 1, 2) array
+        The k star origins, then the mid-points.
+    """
+
+    number: int
+    blend: PieceBlend
+    points: Floats
+    skeleton: Floats
+
+
+def structures_at(blend: Blend | ShapeBlend, t: float) -> Iterator[Structure]:
+    """Give the star pieces and skeletons at t of the parts that have them.
+
+    Parts without a partner have none, nor has any by methods that stand on no star pieces. Certified blends
+    show none, since their frames lie between keyframes, where the pieces would be elsewhere.
+    """
+    if isinstance(blend, PieceBlend):
+        yield Structure(0, blend, blend.points_at(t), blend.skeleton_at(t))
+    if not isinstance(blend, ShapeBlend) or blend.method == "certified":
+        return
+    rings = blend.at(t)
+    for body in blend.bodies:
+        if isinstance(body.blend, PieceBlend):
+            number = blend.pair.pairing.index(body.part.links[0])
+            points, place = body.blend.points_at(t), rings[number][0]
+            skeleton = body.carried(t, body.blend.skeleton_at(t), points[0], place)
+            yield Structure(number, body.blend, body.carried(t, points, points[0], place), skeleton)
