@@ -78,9 +78,7 @@ def _hubs(decomposition: Decomposition, task: Task) -> Iterator[int | tuple[Floa
     """
     first, second = _exact_points(decomposition)
     pieces = [np.array(piece) for piece in decomposition.pieces if len(piece) > 3]
-    rings = Rings.of(pieces)
-    sides = [star_points(points, rings, task) for points in (first, second)]
-    (places, areas), (others, other_areas) = sides
+    (places, areas), (others, other_areas) = star_points((first, second), Rings.of(pieces), task)
     inside = (areas > 0) & (other_areas > 0)
     for number, piece in enumerate(pieces):
         task.reach(0)

@@ -10,7 +10,7 @@ import numpy as np
 from starskel.decomposition.kernel import star_points, star_vertices
 from starskel.decomposition.pieces import Piece
 from starskel.points import Points
-from starskel.predicates import Floats, Relation
+from starskel.predicates import Complex, Floats, Relation
 from starskel.rings import Rings
 from starskel.task import Task
 from starskel.triangulation import Grounds, triangulate_rings
@@ -44,6 +44,11 @@ class Board:
 
     def __len__(self) -> int:
         return len(self.sides[0].coordinates)
+
+    @property
+    def at(self) -> Complex:
+        """The (2, m) coordinates of all points, in the source and in the target."""
+        return np.stack([side.coordinates.view(np.complex128)[:, 0] for side in self.sides])
 
     def place(self, source: Floats, target: Floats) -> range:
         """Add Steiner vertices at (k, 2) places in source and target; give their rows."""
@@ -81,11 +86,8 @@ class Board:
         """Tell which rings of vertices are simple, counter-clockwise and have kernels with an inside."""
 
         def find(pieces: list[Piece]) -> Relation:
-            found: Relation = np.ones(len(pieces), dtype=bool)
-            for side in self.sides:
-                left = Rings.of([pieces[k] for k in np.flatnonzero(found).tolist()])
-                found[found] = star_points(side, left, task.quiet)[1] > 0
-            return found
+            areas = [areas for _, areas in star_points(self.sides, Rings.of(pieces), task.quiet)]
+            return np.minimum(*areas) > 0
 
         unknown = {piece for piece in pieces if piece not in self._kernels}
         for part in handfuls(unknown, AT_ONCE, len):

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from starskel.predicates import Complex, Floats, Indices
-from starskel.rings import ranges
+from starskel.rings import Rings, ranges
 from starskel.task import UNWATCHED, Task
 
 Entry = TypeVar("Entry", bound=np.generic)
@@ -107,6 +107,32 @@ def cut_along(
     parts = [cells, *done[::-1]]
     together = Convex(np.concatenate([p.corners for p in parts]), np.concatenate([p.size for p in parts]))
     return together.chosen(np.argsort(order))
+
+
+def kernels_of_chains(ends: Complex, chains: Rings, owner: Indices, task: Task = UNWATCHED) -> Convex:
+    """Give what lies to the left of all links of chains, in the boxes round all chains of their owners.
+
+    Parameters
+    ----------
+    ends : (s, h) complex array
+        The vertices of the chains on so many sides.
+    chains : Rings
+        They are not closed.
+    owner : (k,) array of int
+        Whose the chains are, in rising order.
+
+    Returns
+    -------
+    s k cells, side by side.
+    """
+    sides, h = ends.shape
+    shift = h * np.arange(sides)[:, None]
+    first = (chains.first + shift).ravel()
+    foremost = (chains.first[np.searchsorted(owner, np.arange(owner[-1] + 1))] + shift).ravel()
+    box = (owner + (owner[-1] + 1) * np.arange(sides)[:, None]).ravel()
+    links = ends.ravel(), np.roll(ends, -1, axis=1).ravel()
+    counts = np.tile(chains.counts - 1, sides)
+    return cut_along(boxes(ends.ravel(), foremost).chosen(box), links, first, counts, task)
 
 
 def _next(entries: NDArray[Entry], first: Indices, last: Indices) -> NDArray[Entry]:

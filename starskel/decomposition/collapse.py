@@ -11,9 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.decomposition.board import Board
-from starskel.decomposition.clipping import boxes, cut_along
+from starskel.decomposition.clipping import kernels_of_chains
 from starskel.decomposition.pieces import Piece, chain_after, from_least
-from starskel.points import Points
 from starskel.predicates import Indices
 from starskel.rings import Rings, ranges
 from starskel.task import Task
@@ -32,12 +31,10 @@ class _Collapse:
 
 
 def collapses(board: Board, stars: Sequence[Around], task: Task) -> dict[Around, list[list[Piece]]]:
-    """Give for each vertex the pieces that may take the place of those round it, one collapse after another."""
+    """Give for each vertex the pieces that may take the place of those round it, collapse by collapse."""
     chains = [chain_after(piece, vertex) for vertex, pieces in stars for piece in pieces]
     moves = list(_untorn(stars, chains))
-    for points in board.sides:
-        task.reach(0)
-        moves = _possible(points, stars, chains, moves, task)
+    moves = _possible(board, stars, chains, moves, task)
     after = [_after(move, chains) for move in moves]
     rings = [ring for shrunk in after for ring in shrunk]
     proven = dict(zip(rings, board.have_kernels(rings, task), strict=True))
@@ -60,25 +57,24 @@ def _untorn(stars: Sequence[Around], chains: Sequence[Piece]) -> Iterable[_Colla
 
 
 def _possible(
-    points: Points, stars: Sequence[Around], chains: Sequence[Piece], moves: list[_Collapse], task: Task
+    board: Board, stars: Sequence[Around], chains: Sequence[Piece], moves: list[_Collapse], task: Task
 ) -> list[_Collapse]:
-    """Give the collapses after which all kernels have an inside, but for rounding."""
+    """Give the collapses after which all kernels of both polygons have an inside, but for rounding."""
     if not moves:
         return moves
     rings = Rings.of(chains)
-    at = points.coordinates.view(np.complex128)[:, 0]
-    ends = at[rings.rows]
     owner = np.repeat(np.arange(len(stars)), [len(pieces) for _, pieces in stars])
-    whole = boxes(ends, rings.first[np.searchsorted(owner, np.arange(len(stars)))])
-    cells = cut_along(whole.chosen(owner), (ends, np.roll(ends, -1)), rings.first, rings.counts - 1, task)
+    cells = kernels_of_chains(board.at[:, rings.rows], rings, owner, task)
     chain, place, move = _meetings(moves)
-    start, end = ends[rings.first[chain]], ends[rings.last[chain]]
-    apart = (rings.rows[rings.first[chain]] != place) & (rings.rows[rings.last[chain]] != place)
-    to = np.where(apart, at[place], start)
-    left = cells.chosen(chain).left_of(end, to)
-    left = left.left_of(np.where(apart, at[place], end), start)
+    first, last = rings.rows[rings.first[chain]], rings.rows[rings.last[chain]]
+    apart = (first != place) & (last != place)
+    start, end, onto = (board.at[:, rows] for rows in (first, last, place))
+    cells = cells.chosen(np.concatenate([chain, chain + len(chains)]))
+    cells = cells.left_of(end.ravel(), np.where(apart, onto, start).ravel())
+    cells = cells.left_of(np.where(apart, onto, end).ravel(), start.ravel())
     gone = ~apart & (rings.counts[chain] == 2)
-    possible = np.bincount(move[(left.size == 0) & ~gone], minlength=len(moves)) == 0
+    wrong = (cells.size == 0).reshape(2, -1).any(axis=0) & ~gone
+    possible = np.bincount(move[wrong], minlength=len(moves)) == 0
     return [moves[k] for k in np.flatnonzero(possible).tolist()]
 
 

@@ -170,12 +170,12 @@ def _origins(board: Board, pieces: list[Piece], task: Task) -> list[Floats]:
     without = np.flatnonzero(common == 0)
     left = Rings.of([pieces[k] for k in without.tolist()])
     origins = []
-    for side in board.sides:
-        places = np.zeros((len(pieces), 2))
-        np.add.at(places, rings.owner[stars], side.coordinates[rings.rows[stars]])
-        places /= np.maximum(common, 1)[:, None]
-        places[without], areas = star_points(side, left, task)
+    for side, (places, areas) in zip(board.sides, star_points(board.sides, left, task), strict=True):
         if not (areas > 0).all():
             raise AssertionError("a piece is not star-shaped")
-        origins.append(places)
+        means = np.zeros((len(pieces), 2))
+        np.add.at(means, rings.owner[stars], side.coordinates[rings.rows[stars]])
+        means /= np.maximum(common, 1)[:, None]
+        means[without] = places
+        origins.append(means)
     return origins

@@ -38,12 +38,12 @@ def star_vertices(sides: Sequence[Points], rings: Rings, task: Task = UNWATCHED)
 
 def star_point(points: Points, ring: Indices, task: Task = UNWATCHED) -> Floats | None:
     """Give a point strictly inside the kernel: the kernel's centroid; None where the kernel has no inside."""
-    places, areas = star_points(points, Rings.of([ring]), task)
+    ((places, areas),) = star_points([points], Rings.of([ring]), task)
     return places[0] if areas[0] > 0 else None
 
 
-def star_points(points: Points, rings: Rings, task: Task = UNWATCHED) -> tuple[Floats, Floats]:
-    """Give for many rings over points the centroids of their kernels, and the kernels' areas.
+def star_points(sides: Sequence[Points], rings: Rings, task: Task = UNWATCHED) -> list[tuple[Floats, Floats]]:
+    """Give for many rings, the same over all sides, the centroids of their kernels, and the kernels' areas.
 
     Exact predicates prove that the centroid is strictly to the left of all edges, and that the ring goes
     round it once. So the ring is simple, counter-clockwise and seen whole from there. Where that cannot be
@@ -51,23 +51,38 @@ def star_points(points: Points, rings: Rings, task: Task = UNWATCHED) -> tuple[F
 
     Returns
     -------
-    (k, 2) and (k,) arrays
+    list of (k, 2) and (k,) arrays, for each side
     """
     if not len(rings.counts):
-        return np.empty((0, 2)), np.empty(0)
-    vertices, owner, after = rings.rows, rings.owner, rings.following
-    corner = (
-        points.orientation(vertices[rings.preceding], vertices, vertices[after]) != 0
-    )  # others bound nothing
-    places, areas = _kernels(
-        points.coordinates[vertices[corner]], np.bincount(owner[corner], minlength=len(rings.counts)), task
+        return [(np.empty((0, 2)), np.empty(0)) for _ in sides]
+    vertices = rings.rows
+    corners = [  # others bound nothing
+        points.orientation(vertices[rings.preceding], vertices, vertices[rings.following]) != 0
+        for points in sides
+    ]
+    cut = _kernels(
+        np.concatenate(
+            [side.coordinates[vertices[corner]] for side, corner in zip(sides, corners, strict=True)]
+        ),
+        np.concatenate([np.bincount(rings.owner[corner], minlength=len(rings.counts)) for corner in corners]),
+        task,
     )
+    found = zip(*(np.split(part, len(sides)) for part in cut), strict=True)
+    return [
+        (places, np.where(_round_once(points, rings, places), areas, 0.0))
+        for points, (places, areas) in zip(sides, found, strict=True)
+    ]
+
+
+def _round_once(points: Points, rings: Rings, places: Floats) -> Relation:
+    """Tell whether each ring runs round its place once, always to the left, exactly."""
+    vertices, owner, after = rings.rows, rings.owner, rings.following
     placed = points.with_free(places)
     sides = placed.orientation(vertices, vertices[after], len(points.coordinates) + owner)
     above = points.coordinates[vertices, 1] > places[owner, 1]
     turns = np.bincount(owner[above[after] & ~above], minlength=len(rings.counts))
-    proven = np.logical_and.reduceat(sides > 0, rings.first) & (turns == 1)
-    return places, np.where(proven, areas, 0.0)
+    once: Relation = np.logical_and.reduceat(sides > 0, rings.first) & (turns == 1)
+    return once
 
 
 def is_star_point(ring: Floats, place: Floats) -> bool:

@@ -30,8 +30,7 @@ def roundness(board, pieces):
     """The area of each kernel, in the source and in the target, over the square of its piece's perimeter."""
     rings = [np.array(piece) for piece in pieces]
     sides = []
-    for points in board.sides:
-        _, areas = star_points(points, Rings.of(rings))
+    for points, (_, areas) in zip(board.sides, star_points(board.sides, Rings.of(rings)), strict=True):
         sides.append(areas / [edge_lengths(points.coordinates[ring]).sum() ** 2 for ring in rings])
     return np.array(sides)
 
