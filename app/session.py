@@ -57,6 +57,8 @@ class Session(QObject):
     results_changed = Signal()
     progressed = Signal(str, float)
     busy_changed = Signal(bool)
+    restarted = Signal()
+    """The computation ended by a fault and was begun anew."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -66,6 +68,7 @@ class Session(QObject):
         self._blends.suggested.connect(self._take_marks)
         self._blends.progressed.connect(self.progressed)
         self._blends.busy_changed.connect(self.busy_changed)
+        self._blends.restarted.connect(self.restarted)
         self.morphs = Morphs(self)
         self.hand = Hand()
         self.path: Path | None = None

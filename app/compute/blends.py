@@ -35,6 +35,7 @@ class Blends(QObject):
     busy_changed = Signal(bool)
     suggested = Signal(object)
     """Marks that were asked for."""
+    restarted = Signal()
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -45,6 +46,7 @@ class Blends(QObject):
         self._computer = Computer(self)
         self._computer.delivered.connect(self._take)
         self._computer.suggested.connect(self.suggested)
+        self._computer.restarted.connect(self.restarted)
         self._computer.progressed.connect(self.progressed)
         self._computer.busy_changed.connect(self.busy_changed)
 

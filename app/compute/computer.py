@@ -18,10 +18,14 @@ from PySide6.QtCore import QObject, QThread, Signal, Slot
 import starskel
 from app.compute.request import Failure, Proposal, Request, Result
 from app.model.marks import Marks
-from starskel.errors import Cancelled
+from starskel.errors import Cancelled, StarskelError, told
 
 if TYPE_CHECKING:
     from app.compute.job import Job
+
+_FAULT = StarskelError(
+    told("a fault in the program ended the computation"), told("change the shapes a little, or press F5")
+)
 
 PATIENCE = 0.05
 """Seconds after which a request of a gesture gives way to a newer one, as soon as a method is done."""
@@ -41,15 +45,24 @@ class Worker(QObject):
     finished = Signal(int, object)
     """A generation, and the methods that gave way to a newer request."""
     suggested = Signal(int, object)
+    died = Signal(int)
+    """A generation whose work ended by a fault; what comes after it would find a worker in pieces."""
 
-    def __init__(self) -> None:
+    def __init__(self, newest: int = 0) -> None:
         super().__init__()
         # both are set by the window and read here, and are single values: no lock
-        self.newest = 0
+        self.newest = newest
         self.hurried = False
 
     @Slot(object)
     def work(self, request: Request) -> None:
+        try:
+            self._work(request)
+        except BaseException:
+            self.died.emit(request.generation)
+            raise
+
+    def _work(self, request: Request) -> None:
         begun = monotonic()
 
         def is_old() -> bool:
@@ -80,6 +93,9 @@ class Worker(QObject):
             )
         except Cancelled:
             return
+        except BaseException:
+            self.died.emit(proposal.generation)
+            raise
         self.suggested.emit(proposal.generation, tuple(marks))
 
 
@@ -91,6 +107,8 @@ class Computer(QObject):
     progressed = Signal(str, float)
     busy_changed = Signal(bool)
     suggested = Signal(object)
+    restarted = Signal()
+    """The worker died, and another one goes on in its place."""
     _requested = Signal(object)
     _proposed = Signal(object)
 
@@ -100,16 +118,8 @@ class Computer(QObject):
         self._running: Request | None = None
         self._waiting: Request | None = None
         self._later: list[Request] = []
-        self._worker = Worker()
-        self._thread = QThread(self)
-        self._worker.moveToThread(self._thread)
-        self._requested.connect(self._worker.work)
-        self._proposed.connect(self._worker.suggest)
-        self._worker.suggested.connect(self._suggest)
-        self._worker.delivered.connect(self._deliver)
-        self._worker.progressed.connect(self._progress)
-        self._worker.finished.connect(self._finish)
-        self._thread.start()
+        self._missing: set[str] = set()  # methods of the request being worked off that have given nothing yet
+        self._begin(Worker())
 
     @property
     def behind(self) -> bool:
@@ -142,13 +152,56 @@ class Computer(QObject):
     def close(self) -> None:
         """Stop and end the thread; to be called before the program ends."""
         self.cancel()
+        self._end()
+
+    def _begin(self, worker: Worker) -> None:
+        self._worker = worker
+        self._thread = QThread(self)
+        self._worker.moveToThread(self._thread)
+        self._requested.connect(self._worker.work)
+        self._proposed.connect(self._worker.suggest)
+        self._worker.suggested.connect(self._suggest)
+        self._worker.delivered.connect(self._deliver)
+        self._worker.progressed.connect(self._progress)
+        self._worker.finished.connect(self._finish)
+        self._worker.died.connect(self._restart)
+        self._thread.finished.connect(self._revive)
+        self._thread.start()
+
+    def _end(self) -> None:
+        self._thread.finished.disconnect(self._revive)
         self._thread.quit()
         self._thread.wait()
+
+    @Slot()
+    def _revive(self) -> None:
+        """Go on after the thread has ended, though nobody had told it to."""
+        self._restart(-1)
+
+    @Slot(int)
+    def _restart(self, generation: int) -> None:
+        """Put a new worker in the place of one that died, and have it work on; what killed it fails."""
+        wanted = [request for request in (self._running, self._waiting) if request is not None] + self._later
+        at_fault = wanted.pop(0) if wanted and generation == self._worker.newest else None
+        missing = [method for method in at_fault.methods if method in self._missing] if at_fault else []
+        self._end()
+        self._thread.deleteLater()
+        self._requested.disconnect()
+        self._proposed.disconnect()
+        self._begin(Worker(self._worker.newest + 1))
+        self._rest()
+        self.restarted.emit()
+        if at_fault is not None:
+            for method in missing:
+                self.delivered.emit(at_fault.subject, Failure(method, _FAULT))
+        if wanted:
+            self.request(*wanted)
 
     def _send(self, request: Request) -> None:
         self._worker.newest += 1
         self._worker.hurried = False
         self._running, self._waiting = replace(request, generation=self._worker.newest), None
+        self._missing = set(request.methods)
         self._set_busy(True)
         self._requested.emit(self._running)
 
@@ -160,6 +213,7 @@ class Computer(QObject):
     @Slot(int, object)
     def _deliver(self, generation: int, outcome: Result | Failure) -> None:
         if generation == self._worker.newest and self._running is not None:
+            self._missing.discard(outcome.method)
             self.delivered.emit(self._running.subject, outcome)
 
     @Slot(int, object)

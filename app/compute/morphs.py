@@ -114,6 +114,9 @@ class _Painter(QObject):
             self.done.emit(None)
         except StarskelError:
             self.done.emit(Shown(wish, None))
+        except BaseException:
+            self.done.emit(Shown(wish, None))  # the next wish has its turn, and the fault its report
+            raise
         else:
             self.done.emit(Shown(wish, pixels))
 

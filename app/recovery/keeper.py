@@ -45,7 +45,7 @@ class Keeper(QObject):
 
     def keep_now(self) -> bool:
         """Keep the document at once, whatever happens next; True where there is nothing to lose any more."""
-        if not self._session.unsaved:
+        if not self._session.unsaved or (self._session.document is self._written and self._error is None):
             return True
         try:
             self._write().result(PATIENCE)

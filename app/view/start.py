@@ -2,54 +2,22 @@
 
 import signal
 import sys
-import traceback
 from pathlib import Path
-from types import TracebackType
 
-from PySide6.QtCore import QLocale, QObject, Qt, Signal, Slot
-from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
+from PySide6.QtCore import QLocale, Qt
+from PySide6.QtWidgets import QApplication
 
+from app.recovery.journal import crashes_logged
 from app.session import Session
 from app.view.beginning import begun
 from app.view.canvas.clipboard import leave_clipboard
+from app.view.faults import Faults
 from app.view.files.remembered import last_file, theme_name
 from app.view.main_window import MainWindow
 from app.view.painting.theme import DARK, LIGHT, Theme, apply_theme
 from app.view.wording.language import chosen, speak, spoken
 
 FIRST_EXAMPLE = "arm"
-
-
-class Faults(QObject):
-    """Takes in exceptions that nothing caught, from any thread; else Qt would print and forget them."""
-
-    _came = Signal(str)
-
-    def __init__(self, window: QWidget) -> None:
-        super().__init__(window)
-        self._window = window
-        self._shown = False
-        self._came.connect(self._show, Qt.ConnectionType.QueuedConnection)
-
-    def take(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
-        """Print an exception and show it; to be used as `sys.excepthook`."""
-        text = "".join(traceback.format_exception(kind, error, trace))
-        sys.stderr.write(text)
-        if issubclass(kind, Exception):
-            self._came.emit(text)
-
-    @Slot(str)
-    def _show(self, text: str) -> None:
-        if self._shown:
-            return  # one message is enough where the same fault comes with every frame
-        self._shown = True
-        box = QMessageBox(self._window)
-        box.setIcon(QMessageBox.Icon.Critical)
-        box.setWindowTitle(self.tr("A fault in the program"))
-        box.setText(self.tr("Something went wrong inside the program. Your document is still here: save it."))
-        box.setDetailedText(text)
-        box.exec()
-        self._shown = False
 
 
 def run(path: Path | None) -> int:
@@ -60,13 +28,14 @@ def run(path: Path | None) -> int:
     application.setOrganizationName("starskel")
     speak(application, spoken(chosen(), QLocale.system()))
     apply_theme(application, _theme(application))
-    window = MainWindow(Session())
-    sys.excepthook = Faults(window).take
-    window.convenience.restore()
-    window.show()
-    begin(window, path)
-    status = application.exec()
-    leave_clipboard()
+    with crashes_logged():
+        window = MainWindow(Session())
+        Faults(window, window.recovering.keeper).watch()
+        window.convenience.restore()
+        window.show()
+        begin(window, path)
+        status = application.exec()
+        leave_clipboard()
     return status
 
 

@@ -96,6 +96,7 @@ class Status(QStatusBar):
         session.tool_changed.connect(self._show_hint)
         session.progressed.connect(self._show_progress)
         session.busy_changed.connect(self._show_busy)
+        session.restarted.connect(self._tell_restart)
         self._show_hint()
         self._show_busy(session.busy)
 
@@ -109,6 +110,10 @@ class Status(QStatusBar):
         """Say that a file was written, and offer to show it in its folder."""
         self.showMessage(self.tr("Exported to {path}").format(path=path), NOTICE)
         self.folder.offer(path.parent)
+
+    @Slot()
+    def _tell_restart(self) -> None:
+        self.showMessage(self.tr("The computation ended by a fault and was begun anew."), NOTICE)
 
     @Slot()
     def _show_hint(self) -> None:

@@ -695,6 +695,14 @@
         <source>take another picture</source>
         <translation>nehmen Sie ein anderes Bild</translation>
     </message>
+    <message>
+        <source>a fault in the program ended the computation</source>
+        <translation>ein Fehler im Programm hat die Berechnung beendet</translation>
+    </message>
+    <message>
+        <source>change the shapes a little, or press F5</source>
+        <translation>ändern Sie die Formen ein wenig, oder drücken Sie F5</translation>
+    </message>
 </context>
 <context>
     <name>AboutDialog</name>
@@ -2088,14 +2096,34 @@
     </message>
 </context>
 <context>
-    <name>Faults</name>
+    <name>FaultDialog</name>
     <message>
         <source>A fault in the program</source>
         <translation>Ein Fehler im Programm</translation>
     </message>
     <message>
-        <source>Something went wrong inside the program. Your document is still here: save it.</source>
-        <translation>Im Programm ist etwas schiefgegangen. Ihr Dokument ist noch da: speichern Sie es.</translation>
+        <source>Your document is still here, and what was not saved has been kept in case it ends.</source>
+        <translation>Ihr Dokument ist noch da, und was nicht gespeichert war, ist aufbewahrt, falls das Programm endet.</translation>
+    </message>
+    <message>
+        <source>Your document is still here, but it could not be kept: save it under another name.</source>
+        <translation>Ihr Dokument ist noch da, konnte aber nicht gesichert werden: Speichern Sie es unter anderem Namen.</translation>
+    </message>
+    <message>
+        <source>Something went wrong inside the program.</source>
+        <translation>Im Programm ist etwas schiefgegangen.</translation>
+    </message>
+    <message>
+        <source>With this report the fault can be found and mended:</source>
+        <translation>Mit diesem Bericht lässt sich der Fehler finden und beheben:</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Report</source>
+        <translation>Bericht &amp;kopieren</translation>
     </message>
 </context>
 <context>
@@ -2840,6 +2868,10 @@
     <message>
         <source>Exported to {path}</source>
         <translation>Exportiert nach {path}</translation>
+    </message>
+    <message>
+        <source>The computation ended by a fault and was begun anew.</source>
+        <translation>Die Berechnung endete durch einen Fehler und wurde neu begonnen.</translation>
     </message>
     <message>
         <source>Computing {method}…</source>

@@ -7,6 +7,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from app.compute import Computer, Failure, Request, Result, Subject, job
+from app.compute.request import Proposal
 from starskel import Cancelled, InvalidPolygon, Polygon, blend
 from tests.app.compute.subjects import subject
 from tests.families import two_opt
@@ -270,3 +271,74 @@ def test_a_gesture_under_way_shows_the_first_blend_only(computer: Computer, qtbo
     (outcome,) = seen.outcomes
     assert isinstance(outcome, Result)
     assert not outcome.settled
+
+
+def test_a_fault_in_the_worker_puts_another_in_its_place_and_fails_what_killed_it(
+    computer: Computer, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What a job does not catch itself: here the job cannot even be made."""
+
+    def broken(*_: object) -> None:
+        raise ZeroDivisionError("in the worker")
+
+    monkeypatch.setattr("app.compute.computer._job_class", lambda: broken)
+    seen = Collector(computer)
+    with qtbot.captureExceptions() as faults, qtbot.waitSignal(computer.restarted):
+        computer.request(REQUEST)
+    qtbot.waitUntil(lambda: len(faults) == 1)
+    assert not computer.busy
+    assert [outcome.method for outcome in seen.outcomes] == list(REQUEST.methods)
+    assert all(isinstance(outcome, Failure) for outcome in seen.outcomes)
+    monkeypatch.undo()
+    computer.request(REQUEST)
+    qtbot.waitUntil(lambda: not computer.busy)
+    assert all(isinstance(outcome, Result) for outcome in seen.outcomes[2:])
+    assert len(seen.outcomes) == 4
+
+
+def test_a_fault_of_an_old_request_does_not_take_the_newest_along(
+    computer: Computer, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made: list[object] = []
+    real_job = job.Job
+
+    def first_broken(*given: object) -> object:
+        made.append(given)
+        if len(made) == 1:
+            computer.request(REQUEST)  # from the worker's thread, only so that it surely comes in between
+            raise ZeroDivisionError("in the worker")
+        return real_job(*given)  # type: ignore[arg-type]
+
+    monkeypatch.setattr("app.compute.computer._job_class", lambda: first_broken)
+    seen = Collector(computer)
+    with qtbot.captureExceptions(), qtbot.waitSignal(computer.restarted):
+        computer.request(REQUEST)
+    qtbot.waitUntil(lambda: not computer.busy)
+    assert [type(outcome) for outcome in seen.outcomes] == [Result, Result]
+
+
+def test_a_thread_that_ends_is_begun_anew_and_its_request_done(
+    computer: Computer, qtbot: QtBot, slow: dict[str, threading.Event]
+) -> None:
+    seen = Collector(computer)
+    computer.request(REQUEST)
+    assert slow["begun"].wait(5)
+    computer._thread.quit()
+    slow["go"].set()
+    with qtbot.waitSignal(computer.restarted):
+        pass
+    qtbot.waitUntil(lambda: not computer.busy)
+    assert {type(outcome) for outcome in seen.outcomes} == {Result}
+    assert {outcome.method for outcome in seen.outcomes} == set(REQUEST.methods)
+
+
+def test_a_fault_while_marks_are_suggested_leaves_nothing_busy(
+    computer: Computer, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def broken(*_: object, **__: object) -> None:
+        raise ZeroDivisionError("in the worker")
+
+    monkeypatch.setattr("starskel.suggest_marks", broken)
+    with qtbot.captureExceptions(), qtbot.waitSignal(computer.restarted):
+        computer.suggest(Proposal(SQUARE, SQUARE, 3))
+    assert not computer.busy

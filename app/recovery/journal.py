@@ -1,0 +1,59 @@
+"""What went wrong, written down in the state folder: faults that Python caught, and crashes of Qt."""
+
+import contextlib
+import faulthandler
+import os
+from collections.abc import Iterator
+from datetime import datetime
+from pathlib import Path
+
+from app.recovery.places import state_folder
+
+FAULTS = "faults.log"
+CRASHES = "crashes.log"
+
+MOST = 1_000_000
+"""Bytes of a log; a longer one begins anew, and the old one stays beside it until the next time."""
+
+
+def log_fault(text: str) -> Path | None:
+    """Write a fault down; give the file, or None where that is not possible."""
+    try:
+        path = _log(FAULTS)
+        with path.open("a", encoding="utf-8") as stream:
+            stream.write(f"{_now()}, process {os.getpid()}\n{text}\n")
+    except OSError:
+        return None
+    return path
+
+
+@contextlib.contextmanager
+def crashes_logged() -> Iterator[None]:
+    """Have crashes of Qt and the like leave the calls of all threads in a file; without a disk, nowhere."""
+    try:
+        stream = _log(CRASHES).open("a", encoding="utf-8")
+    except OSError:
+        yield
+        return
+    with stream:
+        stream.write(f"{_now()}, process {os.getpid()} begins; what follows without an end is a crash\n")
+        stream.flush()
+        faulthandler.enable(stream)
+        try:
+            yield
+        finally:
+            faulthandler.disable()
+            stream.write(f"{_now()}, process {os.getpid()} ends\n")
+
+
+def _log(name: str) -> Path:
+    folder = state_folder()
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / name
+    if path.exists() and path.stat().st_size > MOST:
+        path.replace(path.with_suffix(".old.log"))
+    return path
+
+
+def _now() -> str:
+    return datetime.now().astimezone().isoformat(timespec="seconds")
