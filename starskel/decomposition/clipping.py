@@ -31,6 +31,14 @@ class Convex:
     corners: Complex
     size: Indices
 
+    @property
+    def _ends(self) -> tuple[Indices, Indices, Indices]:
+        """The first and last corners of the cells of which something is left, and which cells these are."""
+        some = np.flatnonzero(self.size)
+        size = self.size[some]
+        last = np.cumsum(size) - 1
+        return last - size + 1, last, some
+
     def chosen(self, cells: Indices) -> "Convex":
         """Give some of the cells, some perhaps several times."""
         _, corner = ranges((np.cumsum(self.size) - self.size)[cells], self.size[cells])
@@ -43,24 +51,22 @@ class Convex:
         inside = side >= 0
         if inside.all():
             return self
-        some = self.size > 0
-        last = np.cumsum(self.size)[some] - 1
-        first = last - self.size[some] + 1
+        first, last, some = self._ends
         following, beyond = _next(self.corners, first, last), _next(side, first, last)
         crossing = side * beyond < 0
         share = np.divide(side, side - beyond, out=np.zeros_like(side), where=crossing)
-        corners = np.stack([self.corners, self.corners + share * (following - self.corners)], axis=1).ravel()
-        inside &= (np.maximum.reduceat(side, first) > 0).repeat(self.size[some])
-        kept = np.stack([inside, crossing], axis=1)
+        corners = np.empty((len(side), 2), dtype=np.complex128)
+        corners[:, 0], corners[:, 1] = self.corners, self.corners + share * (following - self.corners)
+        kept = np.empty((len(side), 2), dtype=bool)
+        kept[:, 0], kept[:, 1] = inside, crossing
+        kept &= (np.maximum.reduceat(side, first) > 0).repeat(self.size[some])[:, None]
         size = np.zeros_like(self.size)
         size[some] = np.add.reduceat(kept.sum(axis=1), first)
-        return Convex(corners[kept.ravel()], size)
+        return Convex(corners[kept], size)
 
     def measured(self) -> tuple[Complex, Floats]:
         """Give the centroids and the areas of the cells, 0 for those of which nothing is left."""
-        some = np.flatnonzero(self.size)
-        last = np.cumsum(self.size[some]) - 1
-        first = last - self.size[some] + 1
+        first, last, some = self._ends
         centroids, areas = np.zeros(len(self.size), dtype=np.complex128), np.zeros(len(self.size))
         if len(some):
             base = self.corners[first]
