@@ -96,8 +96,10 @@ class Points:
         slack = 2 * ROUNDING * np.abs(self.coordinates).max()  # of a rounded point, in each coordinate
         bound = 4 * slack * (np.abs(a).sum(axis=1) + np.abs(b).sum(axis=1) + slack)
         signs = np.sign(determinant).astype(np.int8)
-        undecided = np.abs(determinant) <= bound
-        if undecided.any():
+        undecided = np.flatnonzero(np.abs(determinant) <= bound)
+        different = (i != j) & (j != k) & (k != i)
+        undecided = undecided[different[undecided]]
+        if len(undecided):
             signs[undecided] = self._by_ends(i[undecided], j[undecided], k[undecided])
         return signs
 
