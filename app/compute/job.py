@@ -108,11 +108,12 @@ class Job:
     def _blend(self, method: str, step: int) -> Blend:
         self._report(method, step, 0.0)
         subject = self._request.subject.of(method)
+        root = subject.links[0].root
         made = blend(
             self._matched(),
             method=method,
             decomposition=self._decomposition,
-            root=None if subject.root is None else self._piece_at(subject.root),
+            root=None if root is None else self._piece_at(root),
             turns=subject.turns,
             settled=False,
             progress=partial(self._report, method, step),
@@ -123,11 +124,12 @@ class Job:
 
     def _blend_shapes(self, method: str, step: int) -> ShapeBlend:
         self._report(method, step, 0.0)
-        subject = self._request.subject
+        subject = self._request.subject.of(method)
         return blend(
             self._matched_shapes(),
             method=method,
             joined=subject.joined,
+            roots=Step(subject.links).roots,
             turns=subject.turns,
             settled=False,
             progress=partial(self._report, method, step),

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from app.model.document import Point
 from app.model.sequence import Sequence
 from starskel.blending import STEERED
 from starskel.files.step import Link
@@ -32,8 +31,6 @@ class Subject:
         What becomes of the parts.
     joined : bool
         Whether parts move together.
-    root : (float, float) or None
-        The star origin of the source nearest to this place is to be the star-skeleton's root.
     turns : int
         Whole turns besides: of the star-skeleton, or of several parts by all methods.
     """
@@ -42,7 +39,6 @@ class Subject:
     target: tuple[Polygon, ...]
     links: tuple[Link, ...]
     joined: bool = True
-    root: Point | None = None
     turns: int = 0
 
     @property
@@ -52,16 +48,17 @@ class Subject:
 
     def of(self, method: str) -> "Subject":
         """Leave out what makes no difference to a method."""
+        links = tuple(replace(link, root=None) for link in self.links)
+        steered = self if method == STEERED else replace(self, links=links)
         if not self.single:
-            return replace(self, root=None)
-        steered = self if method == STEERED else replace(self, root=None, turns=0)
-        return replace(steered, joined=True)
+            return steered
+        return replace(steered, joined=True, turns=self.turns if method == STEERED else 0)
 
 
 def subjects_of(sequence: Sequence) -> tuple[Subject | None, ...]:
     """Give what is to be blended in each step, None where a shape is missing."""
     return tuple(
-        Subject(source.rings, target.rings, step.links, step.joined, step.root, step.turns)
+        Subject(source.rings, target.rings, step.links, step.joined, step.turns)
         if source.parts and target.parts
         else None
         for (source, target), step in zip(pairwise(sequence.shapes), sequence.steps, strict=True)

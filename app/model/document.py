@@ -127,7 +127,7 @@ class Document:
         return self.pair.marks
 
     def steer(self, **changes: Any) -> "Document":
-        """Change how the shapes become each other: the easing, the root or the turns, as `Step` has them."""
+        """Change how the shapes become each other: the easing or the turns, as `Step` has them."""
         return replace(self, sequence=self.sequence.put_step(self.step, replace(self.way, **changes)))
 
     def shape(self, side: Side) -> KeyShape:

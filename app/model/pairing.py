@@ -123,7 +123,7 @@ def followed(links: Links, side: Side, part: int, place: Place) -> Links:
 def composed(first: Links, second: Links) -> Links:
     """Give the links that lead by way of a shape between; what ends there is left out."""
     return tuple(
-        Link(one.source, two.target, pins.composed(one.marks, two.marks))
+        Link(one.source, two.target, pins.composed(one.marks, two.marks), root=one.root)
         for one in first
         for two in second
         if None not in (one.source, one.target, two.target) and one.target == two.source

@@ -99,6 +99,17 @@ def place(document: Document, at: Point | None) -> Document:
     return document.put_link(replace(document.pair, place=at)) if document.pair.alone else document
 
 
+def root(document: Document, link: int, at: Point | None) -> Document:
+    """Let the star origin nearest to a place of the source be a link's root; None leaves it to the method."""
+    links = document.way.links
+    return document.steer(links=(*links[:link], replace(links[link], root=at), *links[link + 1 :]))
+
+
+def usual_roots(document: Document) -> Document:
+    """Leave all roots to the method again."""
+    return document.steer(links=tuple(replace(link, root=None) for link in document.way.links))
+
+
 def members(document: Document, link: int) -> list[Part]:
     """Give the parts of a link: one of each shape, or the one that is alone."""
     ends = zip(SIDES, document.way.links[link].ends, strict=True)

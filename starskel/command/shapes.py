@@ -79,5 +79,12 @@ def _shape_blends(
         with Progress(f"{pair.id}: {way.name}") as bar:
             progress = bar if watch is None else shared(watch, way.name, number, len(ways))
             joined = way.joined and pair.joined
-            made = blend(matched, method=way.method, joined=joined, turns=pair.turns, progress=progress)
+            made = blend(
+                matched,
+                method=way.method,
+                joined=joined,
+                roots=pair.roots,
+                turns=pair.turns,
+                progress=progress,
+            )
         yield way.name, made

@@ -1,6 +1,6 @@
 """Files of pairs of shapes, format polygon-multi-pairs/1: lists of rings, holes among them like parts."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
@@ -56,6 +56,8 @@ class MultiPair:
         For rings without a partner the point in the other shape.
     origin : str
         Where the shapes come from, and their licence.
+    roots : mapping from pairs to (x, y)
+        For pairs of outlines the place in the source at which the root of the star-skeleton is.
     joined : bool
         Whether a meta-skeleton joins the parts, so that they move together.
     turns : int
@@ -71,6 +73,7 @@ class MultiPair:
     marks: tuple[tuple[Mark, ...], ...]
     places: Places
     origin: str = ""
+    roots: Places = field(default_factory=dict)
     joined: bool = True
     turns: int = 0
     description: str = ""

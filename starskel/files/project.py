@@ -1,7 +1,7 @@
 """Project: key shapes in order and the steps between them, under a name."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TypeAlias
 
 from starskel.correspondence.marks import Mark
@@ -49,7 +49,7 @@ class Project:
             step = Step(_links(pair), turns=pair.turns, joined=pair.joined)
             return cls(pair.id, shapes, (step,), description=pair.description)
         shapes = KeyShape.of(pair.source), KeyShape.of(pair.target)
-        step = replace(Step.of(pair.marks), root=pair.root, turns=pair.turns)
+        step = Step((Link(0, 0, pair.marks, root=pair.root),), turns=pair.turns)
         return cls(pair.id, shapes, (step,), description=pair.description)
 
     def pair(self, step: int) -> AnyPair:
@@ -70,7 +70,7 @@ class Project:
         way, name = self.steps[step], self.step_name(step)
         if len(source) == len(target) == 1:
             (one,), (two,), (link,) = source.rings, target.rings, way.links
-            return ShapePair(name, one, two, link.marks, way.root, way.turns, description=self.description)
+            return ShapePair(name, one, two, link.marks, link.root, way.turns, description=self.description)
         return MultiPair(
             name,
             source.shape,
@@ -78,6 +78,7 @@ class Project:
             tuple(link.ends for link in way.links),
             way.marks_by_part(len(source)),
             {link.ends: link.place for link in way.links if link.place is not None},
+            roots=way.roots,
             joined=way.joined,
             turns=way.turns,
             description=self.description,
@@ -111,6 +112,7 @@ def _links(pair: MultiPair) -> tuple[Link, ...]:
             target,
             _marks(pair, source, target, left.pop(source, ())) if source is not None else (),
             pair.places.get((source, target)),
+            pair.roots.get((source, target)),
         )
         for source, target in pair.pairing
     )

@@ -66,17 +66,17 @@ class _Second(msgspec.Struct, frozen=True):
     description: str = ""
     pictures: list[Picture | None] = []
 
-    def updated(self) -> "_Document":
+    def updated(self) -> "_Third":
         pictures = self.pictures or [None] * len(self.shapes)
         shapes = [
             _Shape(picture, [] if rows is None else [_Part("", "", True, rows)])
             for rows, picture in zip(self.shapes, pictures, strict=True)
         ]
         steps = [
-            _Step(step.duration, _EVEN, None, 0, True, _links(ends, step.marks))
+            _ThirdStep(step.duration, _EVEN, None, 0, True, _links(ends, step.marks))
             for ends, step in zip(pairwise(shapes), self.steps, strict=True)
         ]
-        return _Document(self.format, VERSION, self.name, shapes, steps, self.methods, self.description)
+        return _Third(self.format, 3, self.name, shapes, steps, self.methods, self.description)
 
 
 class _Part(msgspec.Struct, frozen=True):
@@ -91,17 +91,54 @@ class _Shape(msgspec.Struct, frozen=True):
     parts: list[_Part]
 
 
-class _Link(msgspec.Struct, frozen=True):
+class _ThirdLink(msgspec.Struct, frozen=True):
     source: int | None
     target: int | None
     place: Row | None
     marks: list[Mark]
 
 
-class _Step(msgspec.Struct, frozen=True):
+class _ThirdStep(msgspec.Struct, frozen=True):
     duration: Duration
     easing: tuple[tuple[Share, Share], tuple[Share, Share]]
     root: Row | None
+    turns: int
+    joined: bool
+    links: list[_ThirdLink]
+
+    def updated(self) -> "_Step":
+        root = self.root if len(self.links) == 1 else None  # several parts had none
+        links = [_Link(link.source, link.target, link.place, root, link.marks) for link in self.links]
+        return _Step(self.duration, self.easing, self.turns, self.joined, links)
+
+
+class _Third(msgspec.Struct, frozen=True):
+    """Version 3: one root for each step; pictures are upright and whole."""
+
+    format: str
+    version: int
+    name: str
+    shapes: list[_Shape]
+    steps: list[_ThirdStep]
+    methods: list[str]
+    description: str = ""
+
+    def updated(self) -> "_Document":
+        steps = [step.updated() for step in self.steps]
+        return _Document(self.format, 4, self.name, self.shapes, steps, self.methods, self.description)
+
+
+class _Link(msgspec.Struct, frozen=True):
+    source: int | None
+    target: int | None
+    place: Row | None
+    root: Row | None
+    marks: list[Mark]
+
+
+class _Step(msgspec.Struct, frozen=True):
+    duration: Duration
+    easing: tuple[tuple[Share, Share], tuple[Share, Share]]
     turns: int
     joined: bool
     links: list[_Link]
@@ -118,10 +155,10 @@ class _Document(msgspec.Struct, frozen=True):
 
 
 _EVEN = ((1 / 3, 1 / 3), (2 / 3, 2 / 3))
-_VERSIONS: tuple[type[_First] | type[_Second] | type[_Document], ...] = (
+_VERSIONS: tuple[type[_First] | type[_Second] | type[_Third] | type[_Document], ...] = (
     _First,
     _Second,
-    _Document,  # version 3 turned and cropped no pictures
+    _Third,
     _Document,
 )
 
@@ -182,10 +219,9 @@ def project_content(project: Project) -> dict[str, Any]:
         _Step(
             step.duration,
             (step.easing.first, step.easing.second),
-            step.root,
             step.turns,
             step.joined,
-            [_Link(link.source, link.target, link.place, list(link.marks)) for link in step.links],
+            [_Link(link.source, link.target, link.place, link.root, list(link.marks)) for link in step.links],
         )
         for step in project.steps
     ]
@@ -211,14 +247,16 @@ def _read(path: Path) -> _Document:
             told("{path} is a project of version {version}", path=path, version=version),
             told("versions count from 1"),
         )
-    document: _First | _Second | _Document = read_document(path, _VERSIONS[version - 1])
+    document: _First | _Second | _Third | _Document = read_document(path, _VERSIONS[version - 1])
     if isinstance(document, _First):
         document = document.updated()
     _check_counts(path, document)
-    return document.updated() if isinstance(document, _Second) else document
+    while not isinstance(document, _Document):
+        document = document.updated()
+    return document
 
 
-def _check_counts(path: Path, document: _Second | _Document) -> None:
+def _check_counts(path: Path, document: _Second | _Third | _Document) -> None:
     shapes, steps = len(document.shapes), len(document.steps)
     if shapes < 2 or steps != shapes - 1:
         raise InvalidFile(
@@ -238,10 +276,10 @@ def _check_counts(path: Path, document: _Second | _Document) -> None:
         )
 
 
-def _links(ends: tuple[_Shape, _Shape], marks: list[Mark]) -> list[_Link]:
+def _links(ends: tuple[_Shape, _Shape], marks: list[Mark]) -> list[_ThirdLink]:
     """Give the links of shapes of at most one part."""
     source, target = (0 if shape.parts else None for shape in ends)
-    return [] if source is target is None and not marks else [_Link(source, target, None, marks)]
+    return [] if source is target is None and not marks else [_ThirdLink(source, target, None, marks)]
 
 
 def _shape(shape: _Shape, where: str) -> KeyShape:
@@ -265,8 +303,10 @@ def _shape(shape: _Shape, where: str) -> KeyShape:
 
 def _step(given: _Step, ends: tuple[KeyShape, KeyShape], where: str) -> Step:
     """Give a step, whose marks count the rows of the file, with marks that count the polygons' vertices."""
-    links = tuple(Link(link.source, link.target, tuple(link.marks), link.place) for link in given.links)
-    step = Step(links, given.duration, Easing(*given.easing), given.root, given.turns, given.joined)
+    links = tuple(
+        Link(link.source, link.target, tuple(link.marks), link.place, link.root) for link in given.links
+    )
+    step = Step(links, given.duration, Easing(*given.easing), given.turns, given.joined)
     try:
         step.check(*ends)
     except InvalidMarks as error:

@@ -22,12 +22,16 @@ class Link:
         A vertex of the one, a vertex of the other.
     place : (float, float) or None
         The point that a part without a partner shrinks to or grows from; None leaves it to the method.
+    root : (float, float) or None
+        The star origin of the source nearest to this place is the root of the part's star-skeleton; None
+        leaves the choice to the method.
     """
 
     source: int | None = None
     target: int | None = None
     marks: tuple[Mark, ...] = ()
     place: Point | None = None
+    root: Point | None = None
 
     @property
     def ends(self) -> tuple[int | None, int | None]:
@@ -41,9 +45,9 @@ class Link:
 
     @property
     def reversed(self) -> "Link":
-        """The way back."""
+        """The way back; which origin is the root is open again, since it was chosen on the other shape."""
         marks = tuple((target, source) for source, target in self.marks)
-        return replace(self, source=self.target, target=self.source, marks=marks)
+        return replace(self, source=self.target, target=self.source, marks=marks, root=None)
 
 
 @dataclass(frozen=True)
@@ -58,9 +62,6 @@ class Step:
         How long it takes; the usual length is 1.
     easing : Easing
         How t runs over that time.
-    root : (float, float) or None
-        The star origin of the source nearest to this place is the root of the star-skeleton; None leaves the
-        choice to the method, as do shapes of several parts.
     turns : int
         Whole turns that the star-skeleton makes besides, counter-clockwise; of several parts all methods do.
     joined : bool
@@ -70,7 +71,6 @@ class Step:
     links: tuple[Link, ...] = ()
     duration: float = 1.0
     easing: Easing = EVEN
-    root: Point | None = None
     turns: int = 0
     joined: bool = True
 
@@ -78,6 +78,11 @@ class Step:
     def of(cls, marks: tuple[Mark, ...] = ()) -> "Step":
         """Give the usual step between two shapes of one part."""
         return cls((Link(0, 0, marks),))
+
+    @property
+    def roots(self) -> dict[tuple[int | None, int | None], Point]:
+        """For links whose root is chosen its place, as `starskel.blend` takes them."""
+        return {link.ends: link.root for link in self.links if link.root is not None}
 
     def marks_by_part(self, count: int) -> tuple[tuple[Mark, ...], ...]:
         """Give the marks of each of so many parts of the source."""
@@ -88,9 +93,9 @@ class Step:
 
     @property
     def reversed(self) -> "Step":
-        """The way back; which origin is the root is open again, since it was chosen on the other shape."""
+        """The way back."""
         links = tuple(link.reversed for link in self.links)
-        return replace(self, links=links, easing=self.easing.reversed, root=None, turns=-self.turns)
+        return replace(self, links=links, easing=self.easing.reversed, turns=-self.turns)
 
     def check(self, source: KeyShape, target: KeyShape) -> None:
         """Check that all parts of two shapes, and no others, are linked, and that the marks fit them.

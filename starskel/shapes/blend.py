@@ -1,6 +1,7 @@
 """Blend two polygons or two shapes: of shapes every part by a method, joined by the meta-skeleton."""
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from typing import Any, overload
 
 import numpy as np
@@ -14,7 +15,7 @@ from starskel.decomposition.pieces import Decomposition
 from starskel.errors import StarskelError, UnknownMethod
 from starskel.polar import as_complex
 from starskel.predicates import Complex
-from starskel.shapes.body import prepared
+from starskel.shapes.body import Manner, prepared
 from starskel.shapes.certified import CertifiedShapeBlend
 from starskel.shapes.correspondence import PartPair, ShapeCorrespondence
 from starskel.shapes.given import Marks, Places
@@ -67,6 +68,7 @@ def blend(
     *,
     method: str = ...,
     joined: bool = ...,
+    roots: Places | None = ...,
     turns: int = ...,
     settled: bool = ...,
     progress: Progress | None = ...,
@@ -84,6 +86,7 @@ def blend(
     pairing: Iterable[Link] | None = ...,
     places: Places | None = ...,
     joined: bool = ...,
+    roots: Places | None = ...,
     turns: int = ...,
     settled: bool = ...,
     progress: Progress | None = ...,
@@ -102,6 +105,7 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     joined: bool = True,
     decomposition: Decomposition | None = None,
     root: int | None = None,
+    roots: Places | None = None,
     turns: int = 0,
     settled: bool = True,
     progress: Progress | None = None,
@@ -127,6 +131,9 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
         That of the pair, where it is known already; for polygons only.
     root : int, optional
         The piece that is the skeleton's root, else the one with the most neighbours; for polygons only.
+    roots : mapping from pairs of outlines to (x, y), optional
+        For parts of shapes: the star origin in the source nearest to the place is the root of the part's
+        star-skeleton.
     turns : int
         Whole turns of the whole besides, counter-clockwise: of shapes by all methods, of polygons by
         "star-skeleton".
@@ -149,7 +156,7 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
         If ``should_stop`` answered True.
     """
     if not (isinstance(source, ShapeCorrespondence) or is_shape(source) or is_shape(target)):
-        if pairing is not None or places is not None or not joined:
+        if pairing is not None or places is not None or roots is not None or not joined:
             raise StarskelError("two polygons need no pairing and are not joined", "give a Shape of each")
         return blend_polygons(
             source,
@@ -164,7 +171,9 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
             should_stop=should_stop,
         )
     if decomposition is not None or root is not None:
-        raise StarskelError("a shape has several decompositions and roots", "leave them to the blend")
+        raise StarskelError(
+            "a shape has several decompositions and roots", "give places of roots, or leave them to the blend"
+        )
     chosen = target if isinstance(target, str) else method
     if chosen not in METHODS:
         raise UnknownMethod(f'there is no method "{chosen}"', "choose one of " + ", ".join(METHODS))
@@ -181,22 +190,35 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
         )
     task = Task(progress, should_stop)
     task.reach(0)
-    made = _prepare(source, chosen, turns if joined else None, settled, task)
+    known = _checked_roots(source, roots or {})
+    made = _prepare(source, Manner(chosen, settled), known, turns if joined else None, task)
     task.reach(1)
     return made
 
 
+def _checked_roots(pair: ShapeCorrespondence, roots: Places) -> Places:
+    outlines = [part.links[0] for part in pair.parts if not part.alone]
+    for link in roots:
+        if link not in outlines:
+            named = " or ".join(map(str, outlines)) or "none"
+            raise StarskelError(f"{link} is no pair of outlines, and has no root", f"give roots for {named}")
+    return roots
+
+
 def _prepare(
-    pair: ShapeCorrespondence, method: str, turns: int | None, settled: bool, task: Task
+    pair: ShapeCorrespondence, manner: Manner, roots: Places, turns: int | None, task: Task
 ) -> ShapeBlend:
     """Blend all parts; without a number of turns each by itself."""
+    method = manner.method
+    manner = replace(manner, settled=manner.settled or method == "certified")
     parts, owners = _bodies(pair, method)
     tree = None if turns is None else _tree(parts, owners, turns)
     rotations = tree.rotations if tree is not None else np.zeros(len(parts))
     bodies = []
     for number, (part, rotation) in enumerate(zip(parts, rotations.tolist(), strict=True)):
         share = task.part(0.9 * number / len(parts), 0.9 * (number + 1) / len(parts))
-        bodies.append(prepared(part, method, rotation, settled or method == "certified", share))
+        own = replace(manner, root=roots.get(part.links[0]))
+        bodies.append(prepared(part, own, rotation, share))
     if method == "certified":
         return CertifiedShapeBlend(pair, tuple(bodies), tree, task.part(0.9, 1))
     return ShapeBlend(pair, method, tuple(bodies), tree)

@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from starskel.blending import STEERED
 from starskel.blending.blend import blend
 from starskel.blending.frames import Blend, row_masses
 from starskel.blending.star_skeleton import StarSkeletonBlend
@@ -67,7 +68,25 @@ class Body:
         return np.asarray((rows * row_masses(self.part.pair)).sum(axis=1))
 
 
-def prepared(part: PartPair, method: str, rotation: float, settled: bool, task: Task) -> Body:
+@dataclass(frozen=True)
+class Manner:
+    """How parts are blended.
+
+    Attributes
+    ----------
+    method : str
+    settled : bool
+        Whether blends are as good as they get; else they come sooner.
+    root : (float, float) or None
+        The star origin of the source nearest to this place is the root of the star-skeleton.
+    """
+
+    method: str
+    settled: bool
+    root: tuple[float, float] | None = None
+
+
+def prepared(part: PartPair, manner: Manner, rotation: float, task: Task) -> Body:
     """Blend a part that turns by this rotation, whole turns included.
 
     Raises
@@ -77,9 +96,9 @@ def prepared(part: PartPair, method: str, rotation: float, settled: bool, task: 
     Cancelled
         If the task is told to stop.
     """
-    turning = part.alone or (abs(rotation) > MOST_TURN and method != "vertex")
+    turning = part.alone or (abs(rotation) > MOST_TURN and manner.method != "vertex")
     pair = _turned_back(part.pair, rotation) if turning else part.pair
-    made = VertexBlend(pair) if part.alone else _blend(pair, method, settled, task)
+    made = VertexBlend(pair) if part.alone else _blend(pair, manner, task)
     return Body(part, made, rotation if turning else 0.0)
 
 
@@ -89,16 +108,19 @@ def _turned_back(pair: Correspondence, rotation: float) -> Correspondence:
     return replace(pair, target=as_points(middle + (rows - middle) * np.exp(-1j * rotation)))
 
 
-def _blend(pair: Correspondence, method: str, settled: bool, task: Task) -> Blend:
+def _blend(pair: Correspondence, manner: Manner, task: Task) -> Blend:
+    method = manner.method
     if method == "certified" and len(pair.starts) > 1:
         method = "stitched"  # the certificate is that of all rings together
     known = decompose_region(pair, task.part(0, 0.4)) if method in NEEDING_PIECES else None
+    root = known.piece_at(manner.root) if known and manner.root and method == STEERED else None
     rest = task.part(0.4, 1)
     return blend(
         pair,
         method=method,
         decomposition=known,
-        settled=settled,
+        root=root,
+        settled=manner.settled,
         progress=rest.reach,
         should_stop=task.should_stop,
     )

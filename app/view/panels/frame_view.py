@@ -15,6 +15,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.compute import STEERED, MethodState
+from app.model import parts
 from app.model.document import Point
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.session import Session
@@ -24,11 +25,11 @@ from app.view.painting.display import Display
 from app.view.painting.drawing import layer_for, painting
 from app.view.painting.frame_layers import paint_ghosts, paint_ways
 from app.view.painting.parts import looks_of
+from app.view.painting.structure import shown_structures
 from app.view.painting.theme import theme_of
 from app.view.panels.carried import CarriedPictures
 from app.view.panels.frame_painter import FramePainter
 from app.view.timeline.player import Player
-from starskel.blending.pieces import PieceBlend
 from starskel.predicates import Floats
 
 NOTCH = 1.25
@@ -134,21 +135,24 @@ class FrameView(QWidget):
         self.unsetCursor()
         origin = self.origin_at(event.position())
         if event.position() == self._pressed and origin is not None:
-            document = self._session.document.steer(root=origin)
+            document = parts.root(self._session.document, *origin)
             self._session.store(document, QT_TRANSLATE_NOOP("Step", "Choose root"))
 
-    def origin_at(self, place: QPointF) -> Point | None:
-        """Give where in the source the star origin is that lies under a pixel, where it can be the root."""
-        result = self._state.result
+    def origin_at(self, place: QPointF) -> tuple[int, Point] | None:
+        """Give the link of the star origin under a pixel and its place in the source, if it can be a root."""
+        result = self._state.fresh
         if result is None or result.method != STEERED or not self._display.layers.skeleton:
             return None
-        if not isinstance(result.blend, PieceBlend):
-            return None
-        origins = result.blend.decomposition.source_origins
-        points = self.camera.to_screen(result.blend.skeleton_at(self._player.t)[: len(origins)])
-        ways = np.hypot(*(points - (place.x(), place.y())).T)
-        nearest = int(ways.argmin())
-        return as_point(origins[nearest]) if ways[nearest] <= NEAR else None
+        shown = [look.visible for look in looks_of(self._session.document)]
+        near: list[tuple[float, int, Point]] = []
+        for structure in shown_structures(result, self._player.t, shown):
+            origins = structure.blend.decomposition.source_origins
+            points = self.camera.to_screen(structure.skeleton[: len(origins)])
+            ways = np.hypot(*(points - (place.x(), place.y())).T)
+            nearest = int(ways.argmin())
+            near.append((float(ways[nearest]), structure.number, as_point(origins[nearest])))
+        way, number, origin = min(near, default=(np.inf, 0, (0.0, 0.0)))
+        return (number, origin) if way <= NEAR else None
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         self._display.fit()

@@ -1,8 +1,9 @@
-"""What steers the star-skeleton, beside its name: whole turns, and the way back to the usual root."""
+"""What steers the star-skeleton, beside its name: whole turns, and the way back to the usual roots."""
 
 from PySide6.QtCore import QSignalBlocker, Slot
 from PySide6.QtWidgets import QHBoxLayout, QSpinBox, QToolButton, QWidget
 
+from app.model import parts
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.session import Session
 
@@ -48,11 +49,11 @@ class Steering(QWidget):
 
     @Slot()
     def _forget(self) -> None:
-        document = self._session.document.steer(root=None)
+        document = parts.usual_roots(self._session.document)
         self._session.store(document, QT_TRANSLATE_NOOP("Step", "Take the usual root"))
 
     @Slot()
     def _follow(self) -> None:
-        self.root.setVisible(self._session.document.way.root is not None)
+        self.root.setVisible(bool(self._session.document.way.roots))
         with QSignalBlocker(self.turns):
             self.turns.setValue(self._session.document.way.turns)

@@ -11,7 +11,7 @@ from app.model.sequence import SHORTEST, Sequence, lost_marks
 from starskel.easing import Easing
 from starskel.errors import InvalidMarks, StarskelError
 from starskel.files.key_shape import KeyShape
-from starskel.files.step import Step
+from starskel.files.step import Link, Step
 from starskel.polygon import Polygon
 
 
@@ -177,7 +177,7 @@ def steered() -> Document:
     """Four shapes; the first step is eased, the second is eased and steered, the last is as usual."""
     steps = (
         replace(Step.of(AB), easing=SLOW),
-        replace(Step.of(BC), duration=2.0, easing=FAST, root=(0.5, 0.0), turns=2),
+        Step((Link(0, 0, BC, root=(0.5, 0.0)),), duration=2.0, easing=FAST, turns=2),
         Step.of(CD),
     )
     return Document().arranged(Sequence(SHAPES, steps), 1)
@@ -188,7 +188,7 @@ def test_how_a_step_goes_follows_the_shape_that_it_begins_at(steered: Document) 
     assert order(last) == "ACDB"
     assert [step.easing for step in last.steps] == [SLOW, Easing(), Easing()]
     assert order(rest) == "ABD"
-    assert [(step.easing, step.root, step.turns) for step in rest.steps] == [
+    assert [(step.easing, step.links[0].root, step.turns) for step in rest.steps] == [
         (SLOW, None, 0),
         (FAST, (0.5, 0.0), 2),
     ]
@@ -203,7 +203,7 @@ def test_a_new_shape_leaves_what_was_set_where_it_is(steered: Document) -> None:
 
 def test_a_step_turned_round_goes_back_as_it_came(steered: Document) -> None:
     way = steered.exchanged().way
-    assert (way.easing, way.root, way.turns) == (FAST.reversed, None, -2)
+    assert (way.easing, way.roots, way.turns) == (FAST.reversed, {}, -2)
     assert steered.exchanged().marks == tuple((j, i) for i, j in BC)
     assert steered.exchanged().exchanged().way.turns == 2
 

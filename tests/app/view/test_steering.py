@@ -1,15 +1,19 @@
 """The star-skeleton's root and whole turns."""
 
+import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QSpinBox, QToolButton
 
 from starskel.blending.star_skeleton import StarSkeletonBlend
+from starskel.cli import main
 from starskel.files.examples import example
+from starskel.shapes.structure import Structure, structures_at
 from tests.app.driver import LEFT, PLAIN, Driver
 
 
@@ -53,7 +57,7 @@ def test_a_click_on_a_star_origin_makes_it_the_root(arm: Driver) -> None:
 def test_without_a_skeleton_on_the_screen_a_click_chooses_nothing(arm: Driver) -> None:
     blend = shown(arm)
     click_on_origin(arm, next(k for k in range(len(blend.decomposition.pieces)) if k != blend.skeleton.root))
-    assert arm.document.way.root is None
+    assert not arm.document.way.roots
 
 
 def test_whole_turns_are_added(arm: Driver) -> None:
@@ -92,7 +96,7 @@ def test_root_and_turns_are_undone_redone_and_saved(arm: Driver, tmp_path: Path)
     arm.session.undo()
     assert (field.value(), arm.document.way.turns) == (0, 0)
     arm.session.undo()
-    assert arm.document.way.root is None
+    assert not arm.document.way.roots
     assert not arm.session.unsaved
     arm.session.redo()
     arm.session.redo()
@@ -103,3 +107,36 @@ def test_root_and_turns_are_undone_redone_and_saved(arm: Driver, tmp_path: Path)
     arm.session.open(tmp_path / "arm.json")
     assert arm.document.way == steered.way
     assert field.value() == 2
+
+
+def test_each_part_has_a_root_of_its_own(driver: Driver, tmp_path: Path) -> None:
+    driver.session.show_project(replace(example("letters-b-8"), methods=("star-skeleton", "stitched")))
+    driver.window.actions_table["skeleton"].trigger()
+    driver.wait_for_blends()
+    stitched = driver.session.results["stitched"].result
+    structure = structure_of(driver)
+    blend = structure.blend
+    piece = next(k for k in range(len(blend.decomposition.pieces)) if k != blend.skeleton.root)
+    view = driver.window.panels.panel("star-skeleton").view
+    place = view.camera.to_screen(structure.skeleton[piece]).round().astype(int)
+    QTest.mouseClick(view, LEFT, PLAIN, QPoint(*place.tolist()))
+    driver.wait_for_blends()
+    assert structure_of(driver).blend.skeleton.root == piece
+    assert driver.session.results["stitched"].result is stitched
+    assert [link.root is not None for link in driver.document.way.links] == [True, False, False]
+    driver.session.save(tmp_path / "b.json")
+    words = ["render", str(tmp_path / "b.json"), "--method", "star-skeleton", "--at", "0.5"]
+    assert main([*words, "-o", str(tmp_path / "frame.json")]) == 0
+    written = json.loads((tmp_path / "frame.json").read_text())
+    result = driver.session.results["star-skeleton"].result
+    assert result is not None
+    assert written["frames"][0] == [ring.tolist() for ring in result.rings_at(0.5)]
+    driver.session.undo()
+    assert not driver.document.way.roots
+
+
+def structure_of(driver: Driver) -> Structure:
+    """Give the star-skeleton of the first part as it is now."""
+    result = driver.session.results["star-skeleton"].result
+    assert result is not None
+    return next(structures_at(result.blend, driver.window.player.t))

@@ -31,7 +31,7 @@ LONG = Project(
 STEERED = Project(
     "steered",
     (TRIANGULAR, SQUARED),
-    (Step((Link(0, 0, ((0, 1),)),), 2.0, Easing((0.4, 0.0), (0.6, 1.0)), (0.3, 0.2), -1),),
+    (Step((Link(0, 0, ((0, 1),), root=(0.3, 0.2)),), 2.0, Easing((0.4, 0.0), (0.6, 1.0)), -1),),
 )
 EYE = Polygon([[1, 1], [2, 1], [2, 2], [1, 2]])
 PARTS = Project(
@@ -115,14 +115,21 @@ def test_a_file_of_version_2_has_even_unsteered_steps(path):
     assert read_project(path) == old
 
 
-def test_pictures_of_version_3_are_upright_and_whole(path):
-    write_project(path, TURNED)
-    document = json.loads(path.read_text())
-    document["version"] = 3
-    del document["shapes"][0]["picture"]["rotation"], document["shapes"][0]["picture"]["cropped"]
-    path.write_text(json.dumps(document))
-    picture = read_project(path).shapes[0].picture
-    assert picture == replace(TURNED.shapes[0].picture, rotation=0.0, cropped=False)
+def test_version_3_has_upright_pictures_and_one_root_for_each_step(path):
+    for project in (TURNED, STEERED):
+        write_project(path, project)
+        document = json.loads(path.read_text())
+        document["version"] = 3
+        for shape in document["shapes"]:
+            for name in ("rotation", "cropped") if shape["picture"] else ():
+                del shape["picture"][name]
+        for step in document["steps"]:
+            step["root"] = step["links"][0].pop("root")
+        path.write_text(json.dumps(document))
+        read = read_project(path)
+        assert read.steps == project.steps
+        if picture := project.shapes[0].picture:
+            assert read.shapes[0].picture == replace(picture, rotation=0.0, cropped=False)
 
 
 def test_marks_of_every_step_follow_shapes_given_clockwise(path):
@@ -151,11 +158,11 @@ def changed(path, **change):
 
 
 def link(**change):
-    return {"source": 0, "target": 0, "place": None, "marks": [], **change}
+    return {"source": 0, "target": 0, "place": None, "root": None, "marks": [], **change}
 
 
 def step(**change):
-    steered = {"easing": [[0, 0], [1, 1]], "root": None, "turns": 0, "joined": True}
+    steered = {"easing": [[0, 0], [1, 1]], "turns": 0, "joined": True}
     return {"duration": 1.0, **steered, "links": [link()], **change}
 
 
@@ -192,7 +199,7 @@ NESTED = (
         ({"steps": [step(duration=0)]}, r"`float` > 0.0 - at `\$.steps\[0\].duration`"),
         ({"steps": [step(easing=[[0, 0], [1.5, 1]])]}, r"`float` <= 1.0 - at `\$.steps\[0\].easing"),
         ({"steps": [step(turns=0.5)]}, r"Expected `int`, got `float` - at `\$.steps\[0\].turns`"),
-        ({"steps": [step(root=[1])]}, r"length 2 - at `\$.steps\[0\].root`"),
+        ({"steps": [step(links=[link(root=[1])])]}, r"length 2 - at `\$.steps\[0\].links\[0\].root`"),
         ({"steps": [step(links=[])]}, "step A-B: the links name parts that are not there, or leave some out"),
         ({"steps": [step(links=[link(source=1)])]}, "step A-B: the links name parts that are not there"),
         (

@@ -47,3 +47,26 @@ def test_what_has_no_pieces_shows_none():
     polygons = starskel.blend(I[0], I[0] * 2)
     (only,) = structures_at(polygons, 0.5)
     np.testing.assert_array_equal(only.points[: len(I[0])], polygons.at(0.5))
+
+
+def test_the_root_of_a_part_is_where_it_is_wanted():
+    source, target = (starskel.Shape(rings) for rings in LETTERS["B-8"])
+    usual = starskel.blend(source, target, method="star-skeleton")
+    (structure,) = structures_at(usual, 0.0)
+    decomposition, root = structure.blend.decomposition, structure.blend.skeleton.root
+    other = next(k for k in range(len(decomposition.pieces)) if k != root)
+    roots = {(0, 0): tuple(decomposition.source_origins[other])}
+    (steered,) = structures_at(starskel.blend(source, target, method="star-skeleton", roots=roots), 0.0)
+    assert steered.blend.skeleton.root == other
+    for method in ("stitched", "vertex"):  # these know no root
+        made = starskel.blend(source, target, method=method, roots=roots)
+        plain = starskel.blend(source, target, method=method)
+        assert all(map(np.array_equal, made.at(0.4), plain.at(0.4)))
+
+
+def test_roots_of_what_has_none_are_refused():
+    source, target = (starskel.Shape(rings) for rings in LETTERS["B-8"])
+    with pytest.raises(starskel.StarskelError, match=r"\(1, 1\) is no pair of outlines.*\(0, 0\)"):
+        starskel.blend(source, target, roots={(1, 1): (0, 0)})
+    with pytest.raises(starskel.StarskelError, match="two polygons need no pairing"):
+        starskel.blend(I[0], I[0], roots={(0, 0): (0, 0)})
