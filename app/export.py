@@ -18,6 +18,8 @@ from starskel.files.step import Step
 from starskel.images.morph import SOLID, ImageMorph
 from starskel.images.placed import PlacedImage
 from starskel.sheet.keyframe import Shown
+from starskel.sheet.style import USUAL as USUAL_LOOK
+from starskel.sheet.style import Look
 from starskel.task import UNWATCHED, Task
 
 Layout = Literal["row", "frame", "pages", "sheet", "animation", "morph", "numbers"]
@@ -33,15 +35,15 @@ DRAWN: dict[Layout, formats.Layout] = {
 """What the library calls those that are drawn; in a morph there are the pictures alone."""
 
 FORMATS: dict[Layout, tuple[formats.Format, ...]] = {
-    **{
-        layout: formats.formats_of(output, numbered=False if layout == "pages" else None)
-        for layout, output in DRAWN.items()
-    },
+    **{layout: formats.formats_of(output) for layout, output in DRAWN.items()},
     "morph": tuple(
         next(each for each in formats.FORMATS if each.ending == ending) for ending in morphs.ENDINGS
     ),
 }
 """The formats that each layout can be written in, the usual one first."""
+
+BARE = Shown()
+"""Nothing besides the shapes, or the pictures in them."""
 
 USUAL_SIDE = 512
 """Pixels of the longer side of a morph where nothing else is wanted."""
@@ -54,16 +56,16 @@ class Choice:
     Attributes
     ----------
     layout : {"row", "frame", "pages", "sheet", "animation", "morph", "numbers"}
-        A row of keyframes, one frame, a page for each keyframe, a row for each method, a picture that moves,
-        the pictures inside the shapes alone, or the coordinates.
+        A row of keyframes, one frame, a page or a file for each keyframe, a row for each method, a picture
+        that moves, the pictures inside the shapes alone, or the coordinates.
     method : str
         The method, for all layouts but the sheet.
     frames : int
         How many keyframes, from t = 0 to 1, for all layouts but the frame and what moves.
     t : float
         The moment, for the layout of one frame.
-    marks, pieces, skeleton : bool
-        What is shown on the frames.
+    shown : Shown
+        What is seen on the frames; pictures only in formats that can hold them.
     eased : bool
         Whether keyframes are evenly apart in the time of playing, with easing; else in t.
     whole : bool
@@ -72,28 +74,26 @@ class Choice:
         How long what moves takes one way.
     returning : bool
         Whether it comes back again.
-    pictures : bool
-        Whether pictures behind the shapes are carried along, in formats that can hold them.
     pixels : int or None
         The longer side of what is made of pixels; None for the usual.
     rate : float
         Pictures a second, of what moves and is made of them.
+    look : Look
+        Colours, outline, margin and size.
     """
 
     layout: Layout
     method: str
     frames: int = 6
     t: float = 0.5
-    marks: bool = False
-    pieces: bool = False
-    skeleton: bool = False
+    shown: Shown = BARE
     eased: bool = False
     whole: bool = False
     seconds: float = 3.0
     returning: bool = False
-    pictures: bool = True
     pixels: int | None = None
     rate: float = 25.0
+    look: Look = USUAL_LOOK
 
     @property
     def settings(self) -> Settings:
@@ -103,7 +103,8 @@ class Choice:
             layout=DRAWN[self.layout],
             times=(self.t,) if single else even_times(self.frames),
             eased=self.eased and not single,
-            shown=Shown(self.marks, self.pieces, self.skeleton, pictures=self.pictures),
+            look=self.look,
+            shown=self.shown,
             duration=self.seconds,
             returning=self.returning,
             rate=self.rate,
@@ -115,7 +116,7 @@ class Choice:
         whole = Settings("animation", duration=self.seconds, returning=self.returning, rate=self.rate)
         times = whole.moments if moving else even_times(self.frames)
         ts = [easing.t(time) for time in times] if self.eased else times
-        return morphs.MorphSettings(ts, self.pixels or USUAL_SIDE, self.rate)
+        return morphs.MorphSettings(ts, self.pixels or USUAL_SIDE, self.rate, self.look.paper)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1749,6 +1749,14 @@
         <translation>Das Dokument ist noch offen, mit allen Änderungen.</translation>
     </message>
     <message>
+        <source>Overwrite?</source>
+        <translation>Überschreiben?</translation>
+    </message>
+    <message>
+        <source>Files of these names are already there.</source>
+        <translation>Dateien mit diesen Namen gibt es schon.</translation>
+    </message>
+    <message>
         <source>Not possible</source>
         <translation>Nicht möglich</translation>
     </message>
@@ -1979,10 +1987,6 @@
         <translation>Ein Zwischenbild</translation>
     </message>
     <message>
-        <source>A page for each keyframe</source>
-        <translation>Eine Seite je Schlüsselbild</translation>
-    </message>
-    <message>
         <source>All methods side by side</source>
         <translation>Alle Methoden nebeneinander</translation>
     </message>
@@ -2023,20 +2027,8 @@
         <translation>Abstände wie abgespielt, mit Zeitverlauf</translation>
     </message>
     <message>
-        <source>Marks</source>
-        <translation>Marken</translation>
-    </message>
-    <message>
-        <source>Star pieces</source>
-        <translation>Stern-Stücke</translation>
-    </message>
-    <message>
-        <source>Skeleton</source>
-        <translation>Skelett</translation>
-    </message>
-    <message>
-        <source>Pictures in the shapes</source>
-        <translation>Bilder in den Formen</translation>
+        <source>Each keyframe by itself</source>
+        <translation>Jedes Schlüsselbild für sich</translation>
     </message>
     <message>
         <source> px</source>
@@ -2083,12 +2075,8 @@
         <translation>&amp;Größe</translation>
     </message>
     <message>
-        <source>Show</source>
-        <translation>Zeigen</translation>
-    </message>
-    <message>
-        <source>Formats</source>
-        <translation>Formate</translation>
+        <source>Can be written as {names}</source>
+        <translation>Geschrieben als {names}</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
@@ -2320,6 +2308,85 @@
     </message>
 </context>
 <context>
+    <name>LookFields</name>
+    <message>
+        <source>Usual colours</source>
+        <translation>Übliche Farben</translation>
+    </message>
+    <message>
+        <source>Own colours</source>
+        <translation>Eigene Farben</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>Colour of the source</source>
+        <translation>Farbe der Quelle</translation>
+    </message>
+    <message>
+        <source>Colour of the target</source>
+        <translation>Farbe des Ziels</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Colour of the outline</source>
+        <translation>Farbe des Umrisses</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Else nothing is behind; sheets and video are white</source>
+        <translation>Sonst ist nichts dahinter; Übersichten und Videos sind weiß</translation>
+    </message>
+    <message>
+        <source>Colour of the paper</source>
+        <translation>Farbe des Papiers</translation>
+    </message>
+    <message>
+        <source>usual</source>
+        <translation>üblich</translation>
+    </message>
+    <message>
+        <source>The longer side of the largest frame</source>
+        <translation>Die längere Seite des größten Bildes</translation>
+    </message>
+    <message>
+        <source>Times below</source>
+        <translation>Zeiten darunter</translation>
+    </message>
+    <message>
+        <source>Signs where frames cross themselves</source>
+        <translation>Zeichen, wo Bilder sich selbst schneiden</translation>
+    </message>
+    <message>
+        <source>Width of the outline</source>
+        <translation>Breite des Umrisses</translation>
+    </message>
+    <message>
+        <source>F&amp;illed with</source>
+        <translation>Gef&amp;üllt mit</translation>
+    </message>
+    <message>
+        <source>Ma&amp;rgin</source>
+        <translation>&amp;Rand</translation>
+    </message>
+    <message>
+        <source>Largest &amp;frame</source>
+        <translation>&amp;Größtes Bild</translation>
+    </message>
+    <message>
+        <source> pt</source>
+        <translation> pt</translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message>
         <source>Marks</source>
@@ -2489,6 +2556,29 @@
     <message>
         <source>Spacing of the grid</source>
         <translation>Abstand im Gitter</translation>
+    </message>
+</context>
+<context>
+    <name>OverlayFields</name>
+    <message>
+        <source>Pictures in the shapes</source>
+        <translation>Bilder in den Formen</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Eckpunkte</translation>
+    </message>
+    <message>
+        <source>Star pieces</source>
+        <translation>Stern-Stücke</translation>
+    </message>
+    <message>
+        <source>Skeleton</source>
+        <translation>Skelett</translation>
     </message>
 </context>
 <context>

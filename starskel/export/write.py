@@ -4,6 +4,7 @@ from pathlib import Path
 
 from starskel.export.film import Film
 from starskel.export.formats import format_for
+from starskel.export.settings import Settings
 from starskel.files.disk import write_bytes
 from starskel.task import UNWATCHED, Task
 
@@ -30,12 +31,23 @@ def write(path: Path, film: Film, task: Task = UNWATCHED) -> tuple[Path, ...]:
     Cancelled
         If the task is to stop; files written so far stay.
     """
-    chosen = format_for(path, film.settings.layout)
-    single = not chosen.numbered or film.settings.layout != "frames" or len(film.settings.times) == 1
-    written = []
-    for number, content in enumerate(chosen.writer.files(film, task), 1):
-        own = path if single else path.with_name(f"{path.stem}-{number:04}{path.suffix}")
+    paths = paths_of(path, film.settings)
+    contents = format_for(path, film.settings.layout).writer.files(film, task)
+    for own, content in zip(paths, contents, strict=True):
         write_bytes(own, content)
-        written.append(own)
     task.reach(1)
-    return tuple(written)
+    return paths
+
+
+def paths_of(path: Path, settings: Settings) -> tuple[Path, ...]:
+    """Give the files that `write` writes where a film goes to a path, with these settings.
+
+    Raises
+    ------
+    InvalidFile
+        If the ending does not go with the layout.
+    """
+    count = len(settings.times)
+    if settings.layout != "frames" or count == 1 or not format_for(path, settings.layout).numbered:
+        return (path,)
+    return tuple(path.with_name(f"{path.stem}-{number:04}{path.suffix}") for number in range(1, count + 1))

@@ -17,10 +17,16 @@ from starskel.files.project import Project
 from starskel.files.project_file import write_project
 from starskel.files.raster import png_of
 from starskel.files.step import Step
+from starskel.sheet.drawing import Stroke
+from starskel.sheet.keyframe import Shown
+from starskel.sheet.style import USUAL, Look
 from starskel.task import Task
 from tests.starskel.images.drawn import waves
 
 PICTURE = Picture(png_of(waves(40, 30)), (2.0, 1.5), (4.0, 3.0), rotation=0.1)
+OWN = Look(("#ff8800", "#0044cc"), Stroke("#223344", 2.5), "#fafaf0", margin=7, size=150, captions=False)
+OWN_WORDS = ["--fill", "#ff8800", "#0044cc", "--stroke", "#223344", "--stroke-width", "2.5"]
+OWN_WORDS += ["--paper", "#fafaf0", "--margin", "7", "--size", "150", "--plain"]
 
 
 @pytest.fixture(scope="module")
@@ -65,7 +71,7 @@ def test_pictures_alone_are_what_the_command_writes_to_the_byte(ending: str, tmp
 @pytest.mark.parametrize("pictures", [True, False])
 def test_films_with_pictures_are_what_the_command_writes_to_the_byte(pictures: bool, tmp_path: Path) -> None:
     _, stretch = saved(tmp_path)
-    choice = Choice("animation", "stitched", seconds=0.2, pixels=64, rate=20, pictures=pictures)
+    choice = Choice("animation", "stitched", seconds=0.2, pixels=64, rate=20, shown=Shown(pictures=pictures))
     write_choice(tmp_path / "editor.webp", "p", choice, [stretch])
     words = ["--duration", "0.2", "--pixels", "64", "--rate", "20", *([] if pictures else ["--no-pictures"])]
     out = tmp_path / "command.webp"
@@ -152,6 +158,8 @@ def test_the_whole_sequence_takes_all_steps_as_long_as_each_lasts(
     [
         ("row", ".svg", ["--frames", "5", "--marks"]),
         ("frame", ".eps", ["--at", "0.25"]),
+        ("row", ".svg", ["--frames", "3", "--vertices", *OWN_WORDS]),
+        ("frame", ".png", ["--at", "0.25", *OWN_WORDS]),
         ("pages", ".pdf", ["--frames", "3"]),
         ("sheet", ".svg", ["--layout", "sheet", "--method", "edge-angle"]),
         ("animation", ".svg", ["--layout", "animation", "--returning"]),
@@ -170,7 +178,8 @@ def test_the_command_writes_the_same_bytes(
         "vertex",
         frames=frames,
         t=0.25,
-        marks="--marks" in words,
+        shown=Shown("--marks" in words, vertices="--vertices" in words),
+        look=OWN if "--fill" in words else USUAL,
         seconds=0.4 if "--duration" in words else 3.0,
         returning="--returning" in words,
     )

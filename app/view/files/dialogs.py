@@ -173,6 +173,20 @@ def ask_for_another_place(parent: QWidget, path: Path, error: StarskelError) -> 
     return box.clickedButton() == elsewhere
 
 
+def may_overwrite(parent: QWidget, paths: Sequence[Path]) -> bool:
+    """Ask whether files may be overwritten."""
+    box = QMessageBox(parent)
+    box.setIcon(QMessageBox.Icon.Warning)
+    box.setWindowTitle(translate("Dialogs", "Overwrite?"))
+    box.setText(translate("Dialogs", "Files of these names are already there."))
+    names = [path.name for path in paths[:5]] + (["…"] if len(paths) > 5 else [])
+    box.setInformativeText("\n".join(names))
+    write = box.addButton(translate("Dialogs", "&Overwrite"), QMessageBox.ButtonRole.AcceptRole)
+    box.setDefaultButton(box.addButton(QMessageBox.StandardButton.Cancel))
+    box.exec()
+    return box.clickedButton() is write
+
+
 def complain(parent: QWidget, heading: str, error: StarskelError) -> None:
     """Say what went wrong, where, and how to mend it."""
     box = QMessageBox(parent)

@@ -1,6 +1,6 @@
 """What to export: keyframes, pages, a sheet of all methods, what moves, or coordinates."""
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Slot
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Qt, Slot
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -8,6 +8,7 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QDoubleSpinBox,
     QFormLayout,
+    QHBoxLayout,
     QLabel,
     QSpinBox,
     QVBoxLayout,
@@ -16,6 +17,8 @@ from PySide6.QtWidgets import (
 
 from app.export import FORMATS, Choice, Layout, Stretch
 from app.playback import Repeat
+from app.view.files.look_fields import LookFields
+from app.view.files.overlay_fields import OverlayFields
 from app.view.painting.display import Display
 from app.view.timeline.player import Player
 from app.view.wording import words
@@ -23,7 +26,7 @@ from app.view.wording import words
 _LAYOUTS: tuple[tuple[Layout, object], ...] = (
     ("row", QT_TRANSLATE_NOOP("ExportDialog", "Keyframes in a row")),
     ("frame", QT_TRANSLATE_NOOP("ExportDialog", "One frame")),
-    ("pages", QT_TRANSLATE_NOOP("ExportDialog", "A page for each keyframe")),
+    ("pages", QT_TRANSLATE_NOOP("ExportDialog", "Each keyframe by itself")),
     ("sheet", QT_TRANSLATE_NOOP("ExportDialog", "All methods side by side")),
     ("animation", QT_TRANSLATE_NOOP("ExportDialog", "Animation")),
     ("morph", QT_TRANSLATE_NOOP("ExportDialog", "Pictures alone")),
@@ -75,13 +78,8 @@ class ExportDialog(QDialog):
         self._easing = player.easing
         self._eased = QCheckBox(self.tr("Apart as played, with easing"))
         self._eased.setChecked(whole or not player.easing.even)
-        self._marks = QCheckBox(self.tr("Marks"))
-        self._pieces = QCheckBox(self.tr("Star pieces"))
-        self._pieces.setChecked(display.layers.pieces)
-        self._skeleton = QCheckBox(self.tr("Skeleton"))
-        self._skeleton.setChecked(display.layers.skeleton)
-        self._pictures = QCheckBox(self.tr("Pictures in the shapes"))
-        self._pictures.setChecked(self._pictured and display.layers.pictures)
+        self._overlays = OverlayFields(display.layers, pictured=self._pictured)
+        self._look = LookFields()
         self._pixels = QSpinBox()
         self._pixels.setRange(SMALLEST, LARGEST)
         self._pixels.setSingleStep(16)
@@ -107,20 +105,19 @@ class ExportDialog(QDialog):
             self._method.currentData(),
             self._frames.value(),
             self._t.value(),
-            self._marks.isChecked(),
-            self._pieces.isChecked(),
-            self._skeleton.isChecked(),
+            self._overlays.shown,
             self._eased.isChecked(),
             self._whole.isEnabled() and self._whole.isChecked(),
             self._seconds.value(),
             self._returning.isChecked(),
-            self._pictures.isChecked(),
             self._pixels.value() if self._pixels.value() > SMALLEST else None,
             self._rate.value(),
+            self._look.look,
         )
 
     def _arrange(self) -> None:
         form = QFormLayout()
+        form.setVerticalSpacing(8)
         for label, field in (
             (self.tr("&What"), self._layout_field),
             ("", self._whole),
@@ -132,31 +129,31 @@ class ExportDialog(QDialog):
             ("", self._returning),
             (self.tr("Pictures a &second"), self._rate),
             (self.tr("Si&ze"), self._pixels),
-            (self.tr("Show"), self._pictures),
-            ("", self._marks),
-            ("", self._pieces),
-            ("", self._skeleton),
-            (self.tr("Formats"), self._formats),
         ):
             form.addRow(label, field)
             field.setAccessibleName(label.replace("&", "") or field.accessibleName())
-        for box in (
-            self._whole,
-            self._eased,
-            self._returning,
-            self._pictures,
-            self._marks,
-            self._pieces,
-            self._skeleton,
-        ):
+        for box in (self._whole, self._eased, self._returning):
             box.setAccessibleName(box.text())
         kind = QDialogButtonBox.StandardButton
         buttons = QDialogButtonBox(kind.Save | kind.Cancel)
         buttons.button(kind.Save).setText(self.tr("&Export…"))
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
+        right = QVBoxLayout()
+        right.addWidget(self._look)
+        right.addSpacing(12)
+        right.addWidget(self._overlays)
+        right.addStretch()
+        columns = QHBoxLayout()
+        columns.setSpacing(24)
+        columns.addLayout(form)
+        columns.setAlignment(form, Qt.AlignmentFlag.AlignTop)
+        columns.addLayout(right)
         layout = QVBoxLayout(self)
-        layout.addLayout(form)
+        layout.setSpacing(12)
+        layout.addLayout(columns)
+        layout.addWidget(self._formats)
+        layout.addStretch()
         layout.addWidget(buttons)
 
     @Slot()
@@ -172,7 +169,7 @@ class ExportDialog(QDialog):
         for field in (self._seconds, self._returning, self._rate):
             field.setEnabled(moves)
         self._pixels.setEnabled(layout != "numbers")
-        self._pictures.setEnabled(self._pictured and layout not in ("numbers", "morph"))
-        for box in (self._marks, self._pieces, self._skeleton):
-            box.setEnabled(layout not in ("numbers", "morph"))
-        self._formats.setText(", ".join(str(words.retold(each.name)) for each in FORMATS[layout]))
+        self._look.setEnabled(layout != "numbers")
+        self._overlays.offer(drawn=layout not in ("numbers", "morph"))
+        names = ", ".join(str(words.retold(each.name)) for each in FORMATS[layout])
+        self._formats.setText(self.tr("Can be written as {names}").format(names=names))

@@ -5,14 +5,15 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QDialog, QWidget
 
-from app.export import FORMATS, Stretch, write_choice
+from app.export import FORMATS, Choice, Stretch, write_choice
 from app.session import Session
-from app.view.files.dialogs import complain, path_to_save
+from app.view.files.dialogs import complain, may_overwrite, path_to_save
 from app.view.files.export_dialog import ExportDialog
 from app.view.files.waiting import Waiting
 from app.view.painting.display import Display
 from app.view.timeline.player import Player
 from starskel.errors import StarskelError
+from starskel.export.write import paths_of
 from starskel.files.project import letter
 
 translate = QCoreApplication.translate
@@ -37,7 +38,7 @@ def export(window: QWidget, session: Session, player: Player, display: Display, 
     choice, title = dialog.choice, translate("Files", "Export")
     endings = tuple(each.ending for each in FORMATS[choice.layout])
     path = path_to_save(window, title, file.with_name(f"{file.name}{endings[0]}"), endings)
-    if path is None:
+    if path is None or not _may_write(window, path, choice):
         return None
     name, chosen = session.document.name or file.name, whole if choice.whole else (shown,)
     waiting = Waiting(translate("Files", "Writing {name}…").format(name=path.name), window)
@@ -50,6 +51,14 @@ def export(window: QWidget, session: Session, player: Player, display: Display, 
     if outcome.error is not None:
         raise outcome.error
     return path
+
+
+def _may_write(window: QWidget, path: Path, choice: Choice) -> bool:
+    """Ask before numbered files are overwritten; of the file that was named the dialog has asked."""
+    if choice.layout == "morph":
+        return True
+    there = [own for own in paths_of(path, choice.settings) if own != path and own.exists()]
+    return not there or may_overwrite(window, there)
 
 
 def stretches(session: Session) -> tuple[Stretch, ...]:

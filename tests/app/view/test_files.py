@@ -1,3 +1,4 @@
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -5,6 +6,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
+    QCheckBox,
     QComboBox,
     QDialogButtonBox,
     QFileDialog,
@@ -18,6 +20,7 @@ from app.playback import Repeat
 from app.view.files import exporting, files
 from app.view.files.dialogs import PairDialog, SaveDialog
 from app.view.files.export_dialog import ExportDialog
+from app.view.files.look_fields import LookFields
 from app.view.files.waiting import Waiting
 from app.view.main_window import MainWindow
 from starskel.easing import Easing
@@ -340,6 +343,69 @@ def test_a_long_export_shows_how_far_it_is_and_can_be_given_up(driver: Driver, t
     driver.key(Qt.Key.Key_E, CONTROL)
     assert not path.exists()
     assert not driver.window.statusBar().currentMessage().startswith("Exported")
+
+
+def test_numbered_files_are_not_overwritten_unasked(driver: Driver, tmp_path: Path) -> None:
+    def refuse(dialog: QWidget) -> None:
+        assert isinstance(dialog, QMessageBox)
+        assert "walk-0002.svg" in dialog.informativeText()
+        dialog.reject()
+
+    def export(answer: Callable[[QWidget], None]) -> None:
+        def name(dialog: QWidget) -> None:
+            driver.in_dialog(answer)
+            _name(dialog, tmp_path / "walk.svg")
+
+        def choose(dialog: QWidget) -> None:
+            assert isinstance(dialog, ExportDialog)
+            layouts = dialog.findChildren(QComboBox)[0]
+            layouts.setCurrentIndex(layouts.findData("pages"))
+            driver.in_dialog(name)
+            dialog.accept()
+
+        driver.in_dialog(choose)
+        driver.key(Qt.Key.Key_E, CONTROL)
+
+    driver.draw_both()
+    driver.wait_for_blends()
+    (tmp_path / "walk-0002.svg").write_text("mine")
+    export(refuse)
+    assert [path.name for path in tmp_path.glob("*.svg")] == ["walk-0002.svg"]
+    assert (tmp_path / "walk-0002.svg").read_text() == "mine"
+
+    def overwrite(dialog: QWidget) -> None:
+        assert isinstance(dialog, QMessageBox)
+        dialog.buttons()[0].click()
+
+    export(overwrite)
+    assert len(list(tmp_path.glob("walk-*.svg"))) == 6
+    assert "<svg" in (tmp_path / "walk-0002.svg").read_text()
+
+
+def test_an_export_looks_as_it_was_wanted(driver: Driver, tmp_path: Path) -> None:
+    def choose(dialog: QWidget) -> None:
+        assert isinstance(dialog, ExportDialog)
+        fields = dialog.findChild(LookFields)
+        assert fields is not None
+        for box in fields.findChildren(QCheckBox):
+            box.setChecked(box.text() == "Paper")
+        for box in dialog.findChildren(QCheckBox):
+            if box.text() == "Vertices":
+                box.click()
+        fields.findChildren(QComboBox)[0].setCurrentIndex(2)
+        driver.in_dialog(lambda inner: _name(inner, tmp_path / "own.svg"))
+        dialog.accept()
+
+    driver.draw_both()
+    driver.wait_for_blends()
+    driver.in_dialog(choose)
+    driver.key(Qt.Key.Key_E, CONTROL)
+    text = (tmp_path / "own.svg").read_text()
+    assert "t = 0" not in text
+    assert text.count("<circle") == 6 * len(driver.session.fresh_results[0].pairs[0])
+    assert 'fill="#ffffff"/>' in text
+    assert text.count("<path") == 7
+    assert 'stroke="#20262e" stroke-width="0.7"' not in text
 
 
 def _exporting(driver: Driver, row: int, path: Path):  # type: ignore[no-untyped-def]
