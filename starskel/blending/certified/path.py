@@ -3,11 +3,13 @@
 from enum import StrEnum
 from itertools import pairwise
 
+from starskel.blending.certified.energy import Field
 from starskel.blending.certified.gaps import narrowed
 from starskel.blending.certified.keys import Chain, Guide, Key, extent, filled
 from starskel.blending.certified.metric import metric_of
 from starskel.blending.certified.morph import MARGINS as MORPHED_MARGINS
 from starskel.blending.certified.morph import Morphing
+from starskel.blending.certified.relaxing import Relaxing
 from starskel.blending.certified.repair import MARGINS, Following
 from starskel.blending.certified.room import KEPT, Room
 from starskel.blending.certified.tracking import Allowance, Pull
@@ -19,6 +21,9 @@ from starskel.task import Task
 
 WORK, MORE_WORK = 60_000, 25_000
 """What following may cost with room kept, and then without, before morphing; in vertices of frames."""
+
+AMPLE = 5e-3
+"""Repairs are widened where they keep less room than this, as a part of the size."""
 
 
 class Way(StrEnum):
@@ -47,32 +52,37 @@ def path(decomposition: Decomposition, guide: Guide, task: Task) -> tuple[Chain,
         If the shapes are too narrow somewhere for floating point.
     """
     source, target = decomposition.pair.source, decomposition.pair.target
-    ends = as_complex(source), as_complex(target)
-    size = extent(source, target)
-    chains, way, metric = [[Key(0.0, source)], [Key(1.0, target)]], Way.AS_IT_IS, None
+    ends, size = (as_complex(source), as_complex(target)), extent(source, target)
+    chains, way, field = [[Key(0.0, source)], [Key(1.0, target)]], Way.AS_IT_IS, None
     roomy = Room(ends, KEPT * size)
     for room, work, part in (
         (roomy, WORK, task.part(0.05, 0.3)),
-        (None, MORE_WORK, task.part(0.3, 0.6)),
+        (None, MORE_WORK, task.part(0.3, 0.55)),
     ):
         chains = filled(chains, guide, room.links if room else safe, part.part(0, 0.2))
         if len(chains) > 1:
-            metric = metric or metric_of(decomposition, size, part.part(0.2, 0.2))
-            pull = Pull(metric, ends, room, Allowance(work))
+            field = field or Field(metric_of(decomposition, size, part.part(0.2, 0.2)), ends)
+            pull = Pull(field, room, Allowance(work))
             narrower = narrowed(chains, Following(guide, pull), MARGINS, part.part(0.2, 1))
             way = way if len(narrower) == len(chains) else Way.REPAIRED
             chains = narrower
         if len(chains) == 1 and proven(chains[0], part.part(1, 1)):
-            return chains[0], way
-    metric = metric or metric_of(decomposition, size, task.part(0.6, 0.6))
-    pull = Pull(metric, ends, roomy, Allowance(WORK))
-    chains = narrowed(chains, Morphing(decomposition, guide, pull), MORPHED_MARGINS, task.part(0.6, 1))
-    if len(chains) > 1 or not proven(chains[0], task.part(1, 1)):
+            break
+    else:
+        way = Way.CONVEX
+        field = field or Field(metric_of(decomposition, size, task.part(0.55, 0.55)), ends)
+        morphing = Morphing(decomposition, guide, field, roomy)
+        chains = narrowed(chains, morphing, MORPHED_MARGINS, task.part(0.55, 0.9))
+    keys = chains[0]
+    if field and way is not Way.AS_IT_IS and len(chains) == 1:
+        ample = Room(ends, AMPLE * size)
+        keys = Relaxing(guide, field, ample, ample)(keys, task.part(0.9, 1))
+    if len(chains) > 1 or not proven(keys, task.part(1, 1)):
         raise StarskelError(
             told("no blend without crossings was found: a shape is all but as narrow as rounding"),
             told("widen its narrowest parts, or add marks"),
         )
-    return chains[0], Way.CONVEX
+    return keys, way
 
 
 def proven(keys: Chain, task: Task) -> bool:

@@ -12,7 +12,6 @@ from starskel.blending.certified.smoothing import retimed, smoothed, thinned
 from starskel.blending.certified.track import Track
 from starskel.blending.certified.tracking import Pull
 from starskel.outline import cross_themselves
-from starskel.polar import as_complex
 from starskel.predicates import Floats
 from starskel.task import Task
 
@@ -47,11 +46,11 @@ class Following:
 
     def __call__(self, before: Key, after: Key, task: Task) -> Chain | None:
         """Give a chain of good links from one key to another; None if none is found."""
-        pull = self.pull.meeting((as_complex(before.frame), as_complex(after.frame)))
+        pull = self.pull.meeting(before.frame, after.frame)
         found = _bridged(before, after, self.guide, pull, task.part(0, 0.9))
         if found is None:
             return None
-        few = thinned(found, pull.metric.size, pull.linked, task.part(0.9, 0.9))
+        few = thinned(found, pull.field.metric.size, pull.linked, task.part(0.9, 0.9))
         return smoothed(few, self.guide, pull.linked, task.part(0.9, 1))
 
 
