@@ -280,6 +280,7 @@ class Session(QObject):
     def _look(self, selection: Selection, lost: int = 0) -> None:
         """Show the step that the document is at now."""
         self.hand = replace(self.hand.select(selection), lost=lost)
+        self.tool_changed.emit()
         self.point("source", None)
         self.step_changed.emit()
         self._refresh()
@@ -371,6 +372,7 @@ class Session(QObject):
         former, self.history = self.document, history
         now = self.document
         self.hand = self.hand.select(self.selection.after(former, now))
+        self.tool_changed.emit()  # what was just made can no longer be adjusted
         if (former.step, len(former.sequence.steps)) != (now.step, len(now.sequence.steps)):
             self.step_changed.emit()
         self._refresh()

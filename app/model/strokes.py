@@ -13,20 +13,22 @@ MOST = 50
 """Loops that are cut off; a scribble has more."""
 
 
-def closed(line: Floats) -> Floats:
+def closed(line: Floats, reach: float = 0.0) -> Floats:
     """Close a line to a ring; ends that overshoot and small loops on the way are cut off where they cross.
 
     Parameters
     ----------
     line : (k, 2) array
         At least three points, no two in a row equal.
+    reach : float
+        A line that comes so near to its start ends there, wherever it goes on to.
 
     Returns
     -------
     (m, 2) array
         A ring that does not cross itself; or the line as it is, where that would take more than `LOOP` of it.
     """
-    line = line[:-1] if (line[0] == line[-1]).all() else line
+    line = _ended(line, reach)
     ring, longest = line, LOOP * _lengths(line).sum()
     for _ in range(MOST):
         pairs = crossing_edges(ring)
@@ -41,6 +43,13 @@ def closed(line: Floats) -> Floats:
             break
         ring = _without_loop(ring, *pairs[smallest], inner=between[smallest] <= along[-1] / 2)
     return line
+
+
+def _ended(line: Floats, reach: float) -> Floats:
+    """Cut off the end of a line from where it is back at its start."""
+    along = np.append(0.0, np.cumsum(_lengths(line)[:-1]))
+    back = (along > (1 - LOOP) * along[-1]) & (np.hypot(*(line - line[0]).T) <= reach)
+    return line[: back.argmax()] if back.any() and back.argmax() >= 3 else line
 
 
 def _lengths(ring: Floats) -> Floats:

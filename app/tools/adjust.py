@@ -36,6 +36,10 @@ class Edit(Hashable, Protocol):
         ...
 
 
+BACK = 10.0
+"""Pixels from its start within which a line drawn by hand is back there."""
+
+
 @dataclass(frozen=True)
 class Sketch:
     """A shape drawn by hand.
@@ -60,7 +64,7 @@ class Sketch:
     options: ClassVar[str] = "freehand"
 
     def on(self, scene: Scene) -> Response:
-        ring = closed(np.array(self.trail))
+        ring = closed(np.array(self.trail), BACK * self.pixel)
         ring = ring[kept_vertices(ring, scene.settings.tolerance * self.pixel)]
         return drawn(scene, self.side, ring, self.idle, QT_TRANSLATE_NOOP("Step", "Draw freehand"))
 

@@ -151,6 +151,8 @@ class Status(QStatusBar):
         self.stop.setVisible(busy)
 
     def _outcome(self) -> str:
+        if self._session.tool.busy:  # methods that do not follow a gesture are out of date until it ends
+            return ""
         states = self._session.results.values()
         if any(state.stale and state.error is None for state in states) and self._session.document.source:
             return self.tr("Cancelled; F5 computes again") if self._session.document.target else ""

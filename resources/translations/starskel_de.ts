@@ -2841,6 +2841,10 @@
         <translation>Marke {label}</translation>
     </message>
     <message>
+        <source>mark {label}, moved there,</source>
+        <translation>Marke {label}, dorthin verschoben,</translation>
+    </message>
+    <message>
         <source>the new mark {label}</source>
         <translation>die neue Marke {label}</translation>
     </message>

@@ -62,7 +62,7 @@ def paint_line(painter: QPainter, theme: Theme, frame: QRectF, text: str) -> Non
     """Say something in a line at the lower edge of a canvas."""
     painter.setPen(QColor(theme.text))
     painter.setFont(_sized(painter.font(), 10.0, bold=True))
-    flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom
+    flags = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom
     painter.drawText(frame.adjusted(20, 0, -20, -10), flags, text)
 
 

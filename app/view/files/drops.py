@@ -3,7 +3,7 @@
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QMimeData, QObject, QTimer
+from PySide6.QtCore import QEvent, QMimeData, QObject, Qt, QTimer
 from PySide6.QtGui import QDropEvent
 
 from app.model.marks import Side
@@ -37,7 +37,8 @@ class Drops(QObject):
         path = dropped_file(event.mimeData())
         if path is None:
             return False
-        event.acceptProposedAction()
+        event.setDropAction(Qt.DropAction.CopyAction)  # after a move the original would be taken away
+        event.accept()
         if event.type() == QEvent.Type.Drop:
             side = watched.side if isinstance(watched, Canvas) else self._session.selection.side
             # not before the drop has ended: whoever drags would wait for the answer to a question

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QHeaderView,
     QLabel,
     QLineEdit,
+    QSizePolicy,
     QStyledItemDelegate,
     QStyleOptionViewItem,
     QTableView,
@@ -166,6 +167,9 @@ class PartsPanel(QWidget):
         )
         label = QLabel(text)
         label.setWordWrap(True)
+        policy = label.sizePolicy()
+        policy.setHorizontalPolicy(QSizePolicy.Policy.Ignored)  # else the list opens as wide as its words
+        label.setSizePolicy(policy)
         label.setForegroundRole(self.palette().ColorRole.PlaceholderText)
         return label
 

@@ -14,6 +14,7 @@ from app.view.timeline.chart_layout import LANE, ChartLayout
 from app.view.timeline.player import Player
 from app.view.wording import words
 from app.view.wording.verdicts import AnyReport, Span, crossing_spans
+from starskel.blending import METHODS
 from starskel.predicates import Floats
 from starskel.sheet.words import percent
 
@@ -30,8 +31,9 @@ DASHES: tuple[tuple[float, ...], ...] = ((), (6, 3), (2, 2.5), (8, 3, 2, 3), (4,
 """Dash patterns, a second sign of the method beside its colour."""
 
 
-def method_pen(theme: Theme, number: int) -> QPen:
-    """Give the line that stands for the k-th method in charts and legends."""
+def method_pen(theme: Theme, method: str) -> QPen:
+    """Give the line that stands for a method in charts and legends, whatever others are shown."""
+    number = METHODS.index(method)
     made = pen(theme.methods[number % len(theme.methods)], 2.0)
     dashes = DASHES[number % len(DASHES)]
     if dashes:
@@ -180,7 +182,7 @@ class StripChart(QWidget):
         for curve in curves:
             report = curve.report
             painter.setOpacity(STALE if curve.stale else 1.0)
-            painter.setPen(method_pen(theme, curve.number))
+            painter.setPen(method_pen(theme, curve.method))
             xs = places.inset + report.times * places.span
             _paint_line(painter, xs, zero - report.area_deviations / self.range * half)
             floor = places.lengths.bottom() - 1

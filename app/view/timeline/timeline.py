@@ -149,7 +149,7 @@ class Legend(QWidget):
             painter.drawText(plot.adjusted(0, 0, -4, 0), right, text)
         for number, method in enumerate(methods):
             lane = places.lane(number)
-            painter.setPen(method_pen(theme, number))
+            painter.setPen(method_pen(theme, method))
             middle = lane.center().y()
             painter.drawLine(QPointF(lane.right() - 34, middle), QPointF(lane.right() - 4, middle))
             painter.setPen(QColor(theme.muted))

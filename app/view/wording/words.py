@@ -186,6 +186,9 @@ def _order_reason(third: Mark | None, document: Document) -> str:
 def _named(pair: Mark, document: Document) -> str:
     if pair in document.marks:
         return translate("Refusal", "mark {label}").format(label=mark(document.marks.index(pair)))
+    for index, (source, target) in enumerate(document.marks):
+        if source == pair[0] or target == pair[1]:  # it has kept its other end
+            return translate("Refusal", "mark {label}, moved there,").format(label=mark(index))
     return translate("Refusal", "the new mark {label}").format(label=mark(len(document.marks)))
 
 

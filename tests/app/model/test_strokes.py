@@ -19,6 +19,16 @@ def test_a_line_that_ends_where_it_began_is_closed_there() -> None:
     assert len(Polygon(closed(line))) == 3
 
 
+def test_a_line_that_goes_on_along_its_own_start_ends_where_it_came_back() -> None:
+    angles = np.linspace(0, 2 * np.pi + 0.06, 120)
+    line = 100 * np.stack([1.5 * np.cos(angles), np.sin(angles)], axis=1)
+    line[-4:] += 0.3  # beside the start, not on it
+    ring = Polygon(closed(line, 10.0))
+    assert abs(ring.area / (np.pi * 15000) - 1) < 0.01
+    edges = np.hypot(*(np.roll(ring.vertices, -1, axis=0) - ring.vertices).T)
+    assert edges.min() > 1
+
+
 def test_a_figure_of_eight_stays_crossed() -> None:
     line = np.array([(0.0, 0.0), (10.0, 10.0), (10.0, 0.0), (0.0, 10.0)])
     assert len(crossing_edges(closed(line)))

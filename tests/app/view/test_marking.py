@@ -60,6 +60,20 @@ def test_a_drag_from_canvas_to_canvas_sets_a_mark(squares: Driver) -> None:
     assert not squares.window.mark_line.isVisible()
 
 
+def test_a_pin_that_may_not_move_is_called_by_its_own_number(squares: Driver) -> None:
+    for corner in ((10, 10), (90, 10), (90, 90)):
+        squares.mark(corner, corner)
+    squares.press("source", 90, 10)
+    squares.hover("source", 50, 50)
+    squares.hover("source", 10, 90)
+    refusal = squares.session.refusal
+    assert refusal is not None
+    assert words.reason(refusal.error, squares.document).startswith(
+        "Mark 2 b, moved there, would cross mark "
+    )
+    squares.release("source", 10, 90)
+
+
 def test_suggested_marks_are_one_step(driver: Driver) -> None:
     driver.session.show_project(example("arm"))
     driver.wait_for_blends()

@@ -97,8 +97,10 @@ def test_refine_adds_vertices_evenly_and_follows_its_number(pair: Driver) -> Non
     assert len(ring) == 45
     lengths = np.hypot(*(np.roll(ring, -1, axis=0) - ring).T)
     assert lengths.max() < 2 * lengths.min()
+    assert pair.window.options.name.text() == "Refine"
     pair.key(Qt.Key.Key_Z, CONTROL)
     assert len(pair.document.vertices("source")) == 5
+    assert pair.window.options.name.text() == "Select"  # what is undone cannot be adjusted
 
 
 def test_the_first_vertex_is_set_and_marks_follow(pair: Driver) -> None:
