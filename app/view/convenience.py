@@ -15,8 +15,10 @@ from app.view.commands.shortcuts import ShortcutsDialog, apply_shortcuts
 from app.view.files.remembered import (
     remember_last_file,
     remember_layout,
+    remember_playing,
     remember_switches,
     restore_layout,
+    restore_playing,
     switches,
 )
 from app.view.lists.history_list import HistoryList
@@ -61,6 +63,7 @@ class Convenience(QObject):
     def restore(self) -> None:
         """Have window and switches as they were."""
         restore_layout(self._window)
+        restore_playing(self._window)
         for name, on in switches().items():
             if self._actions is not None and name in KEPT and self._actions[name].isChecked() != on:
                 self._actions[name].trigger()
@@ -68,6 +71,7 @@ class Convenience(QObject):
     def keep(self) -> None:
         """Keep window, switches and the name of the file for the next start."""
         remember_layout(self._window)
+        remember_playing(self._window)
         remember_last_file(self._session.path)
         if self._actions is not None:
             remember_switches({name: self._actions[name].isChecked() for name in KEPT})

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSettings
-from PySide6.QtWidgets import QMainWindow, QSplitter
+from PySide6.QtWidgets import QComboBox, QMainWindow, QSplitter
 
 RECENT = 10
 """So many files are remembered."""
@@ -84,6 +84,24 @@ def restore_layout(window: QMainWindow) -> None:
         kept = QSettings().value(f"window/{name}")
         if isinstance(kept, QByteArray):
             restore(kept)
+
+
+def remember_playing(window: QMainWindow) -> None:
+    """Keep how fast is played, and what happens at the end."""
+    for box in _playing(window):
+        QSettings().setValue(f"playing/{box.objectName()}", box.currentIndex())
+
+
+def restore_playing(window: QMainWindow) -> None:
+    """Play as it was; without anything remembered all stays as it is."""
+    for box in _playing(window):
+        kept = QSettings().value(f"playing/{box.objectName()}", box.currentIndex())
+        if str(kept).isdecimal() and int(str(kept)) < box.count():
+            box.setCurrentIndex(int(str(kept)))
+
+
+def _playing(window: QMainWindow) -> list[QComboBox]:
+    return [box for box in window.findChildren(QComboBox) if box.objectName() in ("repeat", "speed")]
 
 
 def _splitters(window: QMainWindow) -> list[QSplitter]:

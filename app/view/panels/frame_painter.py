@@ -64,6 +64,13 @@ class FramePainter:
                 self._paint_crossings(Keyframe(t, ring))
         self._painter.setOpacity(1.0)
 
+    def paint_ground(self, result: Result, t: float, looks: Sequence[Look]) -> None:
+        """Paint the outlines that lie under pictures inside: they are seen where a picture does not reach."""
+        self._painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        for ring, look in zip(result.rings_at(t), looks, strict=False):  # looks may be those of newer parts
+            if look.visible:
+                self._outline(ring, look.colour(self._theme, t))
+
     def paint_trace(self, result: Result, t: float, link: int, row: int) -> None:
         """Paint one vertex of a link and its way through time."""
         paint_way(self._painter, self._theme, self._camera.to_screen(result.samples[link][:, row]))

@@ -169,11 +169,13 @@ class FrameView(QWidget):
         result = self._state.result
         if result is not None:
             self._paint_backdrop(painter)
-            self._pictures.paint(painter, self.camera)
             pictured = self._pictures.t is not None
             t = self._player.t if self._pictures.t is None else self._pictures.t
             frame = FramePainter(painter, theme, self.camera, self._display.layers)
             looks = looks_of(self._session.document)
+            if pictured:
+                frame.paint_ground(result, t, looks)
+                self._pictures.paint(painter, self.camera)
             frame.paint(result, t, looks, stale=self._state.stale, pictured=pictured)
             if (trace := self._session.trace) is not None and not self._state.stale:
                 frame.paint_trace(result, t, self._session.document.link, trace.row)

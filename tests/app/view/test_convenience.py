@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDesktopServices, QDragEnterEvent, QDropEvent, QGuiApplication, QKeySequence
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton, QToolButton, QWidget
+from PySide6.QtWidgets import QApplication, QComboBox, QMessageBox, QPushButton, QToolButton, QWidget
 
 from app.session import Session
 from app.view.about import AboutDialog, versions
@@ -148,6 +148,8 @@ def test_the_window_comes_back_as_it_was_left(driver: Driver, tmp_path: Path, qt
     first.files.open(path)
     first.actions_table["pieces"].trigger()
     first.actions_table["history"].trigger()
+    field(first, "repeat").setCurrentIndex(1)
+    field(first, "speed").setCurrentIndex(0)
     first.convenience.keep()
     second = MainWindow(Session())
     second.convenience.restore()
@@ -157,12 +159,20 @@ def test_the_window_comes_back_as_it_was_left(driver: Driver, tmp_path: Path, qt
         assert second.display.layers.pieces
         assert not second.display.layers.skeleton
         assert second.convenience.history.isVisible()
+        assert field(second, "repeat").currentIndex() == 1
+        assert second.player.speed == first.player.speed < 1
         assert second.actions_table["history"].isChecked()
         begin(second, None)
         assert second.session.path == path
     finally:
         second.close()
         second.deleteLater()
+
+
+def field(window: MainWindow, name: str) -> QComboBox:
+    found = window.findChild(QComboBox, name)
+    assert found is not None
+    return found
 
 
 def test_a_first_start_shows_an_example_playing(window: MainWindow) -> None:
