@@ -1,7 +1,7 @@
 """Limits: what is larger is refused, before memory is taken for it.
 
 They are far above what people draw. Of hostile files they leave so little that each is read or refused
-within about two seconds and half a gigabyte. The largest coordinate is `predicates.LARGEST`, on which no
+within seconds and half a gigabyte. The largest coordinate is `predicates.LARGEST`, on which no
 memory depends.
 """
 
@@ -16,14 +16,23 @@ DOCUMENT_VALUES = 3_000_000
 DRAWING_BYTES = 20_000_000
 """An SVG, GeoJSON or WKT file."""
 
-DRAWING_VERTICES = 200_000
-"""Points of all curves and lines of a drawing or a map."""
+DRAWING_TAGS = 500_000
+"""Tags and attributes of an SVG file."""
 
-DEPTH = 100
-"""How deep lists, objects and elements may be nested."""
-
-ELEMENTS = 50_000
+DRAWING_ELEMENTS = 10_000
 """Elements of an SVG file, those included that `use` repeats."""
+
+DRAWING_NUMBERS = 300_000
+"""Numbers and commands of its paths."""
+
+DEPTH = 200
+"""How deep elements of an SVG file may be nested."""
+
+CROSSINGS = 5_000
+"""How often the rings of one shape of a file may cross: each is mended."""
+
+OVERLAPS = 100_000
+"""Pairs of rings of one shape whose boxes overlap: each pair is looked at."""
 
 RING_VERTICES = 100_000
 """Vertices of a ring of a file."""

@@ -89,7 +89,7 @@ def _crossings(ring: Floats) -> Iterator[NDArray[np.intp]]:
     tree = shapely.STRtree(edges)
     spikes = np.flatnonzero(folds_back(np.roll(ring, 1, axis=0), ring, ends))
     folded = np.sort(np.stack([(spikes - 1) % n, spikes], axis=1), axis=1)
-    for block in _blocks(ring, ends):
+    for block in edge_blocks(ring, ends):
         i, j = tree.query(edges[block])
         i = block[i]
         apart = (j - i > 1) & (j - i < n - 1)
@@ -100,7 +100,7 @@ def _crossings(ring: Floats) -> Iterator[NDArray[np.intp]]:
         yield pairs[np.lexsort(pairs.T[::-1])]
 
 
-def _blocks(starts: Floats, ends: Floats) -> list[Indices]:
+def edge_blocks(starts: Floats, ends: Floats) -> list[Indices]:
     """Cut the numbers of the edges where the pairs of overlapping boxes would become too many.
 
     They are counted from above: boxes that overlap do so in x and in y.

@@ -476,12 +476,28 @@
         <translation>zeichnen Sie sie mit deutlicheren Lücken</translation>
     </message>
     <message>
+        <source>a part beyond all numbers was left out</source>
+        <translation>ein Teil jenseits aller Zahlen wurde weggelassen</translation>
+    </message>
+    <message>
         <source>repeated vertices were left out</source>
         <translation>doppelte Eckpunkte wurden weggelassen</translation>
     </message>
     <message>
         <source>a part without an area was left out</source>
         <translation>ein Teil ohne Fläche wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>a shape</source>
+        <translation>eine Form</translation>
+    </message>
+    <message>
+        <source>overlapping parts</source>
+        <translation>überlappende Teile</translation>
+    </message>
+    <message>
+        <source>crossings</source>
+        <translation>Kreuzungen</translation>
     </message>
     <message>
         <source>picture</source>
@@ -702,6 +718,30 @@
     <message>
         <source>change the shapes a little, or press F5</source>
         <translation>ändern Sie die Formen ein wenig, oder drücken Sie F5</translation>
+    </message>
+    <message>
+        <source>the SVG</source>
+        <translation>das SVG</translation>
+    </message>
+    <message>
+        <source>tags</source>
+        <translation>Tags</translation>
+    </message>
+    <message>
+        <source>elements</source>
+        <translation>Elemente</translation>
+    </message>
+    <message>
+        <source>numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>the SVG is nested too deeply, or uses itself</source>
+        <translation>das SVG ist zu tief verschachtelt oder benutzt sich selbst</translation>
+    </message>
+    <message>
+        <source>nest at most {most} elements</source>
+        <translation>verschachteln Sie höchstens {most} Elemente</translation>
     </message>
 </context>
 <context>

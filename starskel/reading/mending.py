@@ -8,9 +8,10 @@ import numpy as np
 import shapely
 
 from starskel.errors import InvalidFile, InvalidPolygon, told
+from starskel.limits import CROSSINGS, OVERLAPS, check_limit
 from starskel.outline import signed_areas
-from starskel.polygon import Polygon
-from starskel.predicates import Floats
+from starskel.polygon import Polygon, edge_blocks
+from starskel.predicates import LARGEST, Floats
 from starskel.shapes.shape import Shape, meet
 
 Rule = Literal["nonzero", "evenodd"]
@@ -20,6 +21,9 @@ _APART = (1e-6, 1e-5, 1e-4)
 
 _SAME = 1e-7
 """Neighbours nearer than this part of the longer side of their ring's box are one vertex: files round."""
+
+_AT_ONCE = 1_000_000
+"""Edges times points that are looked at in one go."""
 
 _CRUMB = 1e-9
 """Faces smaller than this part of the square over the longer side of the box are left out."""
@@ -39,15 +43,15 @@ def shape_of_rings(rings: Sequence[Floats], rule: Rule) -> tuple[Shape, tuple[st
     kept = [cleaned for ring in rings if (cleaned := _cleaned(ring, repairs)) is not None]
     if not kept:
         return None
+    near = _near(kept)
     polygons = _polygons(kept)
-    if polygons is None or any(
-        meet(one, other) for number, one in enumerate(polygons) for other in polygons[:number]
-    ):
+    if polygons is None or any(meet(polygons[i], polygons[j]) for i, j in near):
+        check_crossings(kept)
         repairs.append(told("it crossed or touched itself and was cut there"))
         return shape_of_geometry(_filled(kept, rule), repairs)
     if len(polygons) == 1:
         return Shape(polygons), tuple(repairs)
-    parts = _parts(kept, rule)
+    parts = _parts(kept, rule, near)
     return (Shape.of_parts(parts), tuple(repairs)) if parts else None
 
 
@@ -91,6 +95,9 @@ def _parted(area: shapely.MultiPolygon, apart: float) -> shapely.MultiPolygon:
 def _cleaned(ring: Floats, repairs: list[str]) -> Floats | None:
     """Give a ring without repeated points; None where it encloses nothing."""
     given = np.asarray(ring, dtype=np.float64).reshape(-1, 2)
+    if not (np.abs(given) < LARGEST).all():
+        repairs.append(told("a part beyond all numbers was left out"))
+        return None
     closed = len(given) > 1 and bool((given[0] == given[-1]).all())
     points = _distinct(given[:-1] if closed else given)
     if len(points) > 2 and (given[1:] == given[:-1]).all(axis=1).any():
@@ -117,15 +124,37 @@ def _polygons(rings: Sequence[Floats]) -> list[Polygon] | None:
         return None
 
 
-def _parts(rings: Sequence[Floats], rule: Rule) -> list[tuple[Floats, list[Floats]]]:
+def _near(rings: Sequence[Floats]) -> list[tuple[int, int]]:
+    """Give the pairs i > j of rings whose boxes overlap."""
+    boxes = shapely.box(
+        *np.concatenate([[ring.min(axis=0), ring.max(axis=0)] for ring in rings]).reshape(-1, 4).T
+    )
+    i, j = shapely.STRtree(boxes).query(boxes)
+    pairs = np.stack([i, j], axis=1)[i > j]
+    check_limit(told("a shape"), told("overlapping parts"), len(pairs), OVERLAPS)
+    return [(int(i), int(j)) for i, j in pairs[np.lexsort(pairs.T[::-1])]]
+
+
+def check_crossings(rings: Sequence[Floats]) -> None:
+    """Refuse a tangle, which has as many crossings as its edges squared."""
+    starts = np.concatenate(rings)
+    ends = np.concatenate([np.roll(ring, -1, axis=0) for ring in rings])
+    edges = shapely.linestrings(np.stack([starts, ends], axis=1))
+    tree = shapely.STRtree(edges)
+    meeting = -3 * len(edges)  # each meets itself and two neighbours
+    for block in edge_blocks(starts, ends):
+        meeting += tree.query(edges[block], predicate="intersects").shape[1]
+        check_limit(told("a shape"), told("crossings"), meeting // 2, CROSSINGS)
+
+
+def _parts(
+    rings: Sequence[Floats], rule: Rule, near: Sequence[tuple[int, int]]
+) -> list[tuple[Floats, list[Floats]]]:
     """Give what rings that are apart enclose: outlines, each with its holes."""
     winds = np.array([np.sign(signed_areas(ring)) for ring in rings])
-    inside = np.array(
-        [
-            [k != own and _inside(ring, other) for k, other in enumerate(rings)]
-            for own, ring in enumerate(rings)
-        ]
-    )
+    inside = np.zeros((len(rings), len(rings)), dtype=bool)
+    for own, other in [*near, *((j, i) for i, j in near)]:
+        inside[own, other] = _inside(rings[own], rings[other])
     before = _is_filled(inside @ winds, rule)
     within = _is_filled(inside @ winds + winds, rule)
     outlines = np.flatnonzero(within & ~before).tolist()
@@ -151,7 +180,11 @@ def _filled(rings: Sequence[Floats], rule: Rule) -> shapely.Geometry:
     lines = shapely.union_all([shapely.LinearRing(ring) for ring in rings])
     faces = np.array(shapely.get_parts(shapely.polygonize(shapely.get_parts(lines).tolist())))
     middles = shapely.get_coordinates(shapely.point_on_surface(faces))
-    winding = np.sum([_winding(ring, middles) for ring in rings], axis=0)
+    few = max(1, _AT_ONCE // max(map(len, rings)))
+    blocks = np.split(middles, range(few, len(middles), few))
+    winding = np.concatenate(
+        [np.sum([_winding(ring, places) for ring in rings], axis=0) for places in blocks]
+    )
     return shapely.union_all(faces[_is_filled(winding, rule)])
 
 

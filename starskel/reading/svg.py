@@ -20,7 +20,8 @@ from starskel.errors import InvalidFile, told
 from starskel.predicates import Floats
 from starskel.reading.curves import flattened
 from starskel.reading.found import Found, Reading, uniquely_named
-from starskel.reading.mending import Rule, shape_of_geometry, shape_of_rings
+from starskel.reading.mending import Rule, check_crossings, shape_of_geometry, shape_of_rings
+from starskel.reading.svg_limits import check_content, check_tree, tidy_styles
 from starskel.reading.wanted import Wanted
 from starskel.shapes.shape import Shape
 
@@ -48,12 +49,15 @@ def read(content: bytes, wanted: Wanted) -> Reading:
     try:
         drawing = svgelements.SVG.parse(io.BytesIO(ElementTree.tostring(root)), reify=True)
         elements = [element for element in drawing.elements() if isinstance(element, svgelements.Shape)]
-        shapes = [
-            found
-            for number, element in enumerate(elements, 1)
-            for found in _found(element, number, wanted.tolerance)
-        ]
-    except (ValueError, TypeError, AttributeError, IndexError, KeyError, ZeroDivisionError) as error:
+        with np.errstate(over="ignore", invalid="ignore"):  # what lies beyond all numbers is left out
+            shapes = [
+                found
+                for number, element in enumerate(elements, 1)
+                for found in _found(element, number, wanted.tolerance)
+            ]
+    except InvalidFile:
+        raise
+    except (ValueError, TypeError, AttributeError, LookupError, ArithmeticError, RecursionError) as error:
         raise InvalidFile(
             told("the SVG is damaged: {error}", error=error), told("save it as plain SVG")
         ) from error
@@ -63,15 +67,20 @@ def read(content: bytes, wanted: Wanted) -> Reading:
 def _scanned(content: bytes) -> ElementTree.Element:
     """Give the file's tree without what is not drawn; symbols stand in a definition, where they are found."""
     try:
+        check_content(content)
         root: ElementTree.Element = defusedxml.ElementTree.fromstring(content)
     except defusedxml.DefusedXmlException as error:
         raise InvalidFile(told("the SVG declares entities"), told("save it as plain SVG")) from error
-    except (ElementTree.ParseError, ValueError) as error:
+    except InvalidFile:
+        raise
+    except (ElementTree.ParseError, ValueError, LookupError) as error:
         raise InvalidFile(
             told("the SVG is damaged: {error}", error=error), told("take an undamaged copy")
         ) from error
     if root.tag.removeprefix(_SPACE) != "svg":
         raise InvalidFile(told("the file is no SVG"), told("save it as plain SVG"))
+    check_tree(root)
+    tidy_styles(root)
     definitions = ElementTree.Element(f"{_SPACE}defs")
     for parent in list(root.iter()):
         for child in list(parent):
@@ -124,6 +133,7 @@ def _stroke(
     width = float(element.stroke_width or 0)
     if not lines or width <= 0:
         return None
+    check_crossings(lines)
     with np.errstate(divide="ignore", invalid="ignore"):  # GEOS divides by the length of dots
         areas = [
             shapely.buffer(

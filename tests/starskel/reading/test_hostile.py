@@ -1,0 +1,52 @@
+"""Drawings meant to take time or memory without end: each is refused, naming the limit and the value."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from starskel.errors import InvalidFile
+from starskel.reading.readers import read_content
+
+SVG = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink">{}</svg>'
+PATH = '<path id="a0" d="M0 0H9V9H0Z"/>'
+TEN_TIMES = '<use href="#a{}"/>' * 10
+TWICE = "".join('<g id="a{}">{}</g>'.format(k, TEN_TIMES.replace("{}", str(k - 1))) for k in range(1, 12))
+TANGLE = " ".join(f"{x:.3f} {y:.3f}" for x, y in np.random.default_rng(0).random((3000, 2)) * 1000)
+STROKED = f'<path d="M{TANGLE}" fill="none" stroke="black"/>'
+
+
+@pytest.mark.parametrize(
+    ("inside", "why"),
+    [
+        (PATH + TWICE + '<use href="#a11"/>', "has [0-9]+ elements; give a file with at most 10000"),
+        ('<g id="a"><use xlink:href="#a"/></g>', "nested too deeply, or uses itself"),
+        ('<g id="a"><use href="#b"/></g><g id="b"><use href="#a"/></g>', "nested too deeply"),
+        ("<g>" * 50_000 + PATH + "</g>" * 50_000, "nested too deeply"),
+        (PATH * 11_000, "has 11001 elements; give a file with at most 10000"),
+        (PATH * 200_000, "tags; give a file with at most 500000"),
+        (f'<path d="M0 0{"h1" * 160_000}"/>', "has 3[0-9]+ numbers; give a file with at most 300000"),
+        (f'<path d="M{TANGLE}Z"/>', "crossings; give a file with at most 5000"),
+        (STROKED, "crossings; give a file with at most 5000"),
+        (" " * 20_000_001, "bytes; give a file with at most 20000000"),
+        ('<path d="M0 0H1e308V1e308H-1e308Z"/>', "holds no shape"),
+    ],
+    ids=[str(k) for k in range(11)],
+)
+def test_a_drawing_beyond_a_limit_is_refused_naming_it(inside: str, why: str) -> None:
+    with pytest.raises(InvalidFile, match=why):
+        read_content(SVG.format(inside).encode(), Path("a.svg"))
+
+
+@pytest.mark.parametrize(
+    "style", ["a" * 300_000, "a" * 100_000 + "{}", "a{" * 100_000, "a{b" + " " * 100_000]
+)
+def test_style_sheets_on_which_patterns_would_be_tried_without_end_are_passed_over(style: str) -> None:
+    reading = read_content(SVG.format(f"<style>{style}</style>{PATH}").encode(), Path("a.svg"))
+    assert len(reading.shapes) == 1
+
+
+def test_an_unknown_encoding_is_a_damaged_file() -> None:
+    content = b'<?xml version="1.0" encoding="rot13"?>' + SVG.format(PATH).encode()
+    with pytest.raises(InvalidFile, match="damaged"):
+        read_content(content, Path("a.svg"))
