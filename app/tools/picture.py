@@ -7,6 +7,7 @@ from typing import ClassVar
 from app.model import placing
 from app.model.document import Document, Point
 from app.model.marks import Side
+from app.model.selection import Selection
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.handles import CORNERS, STALK, TURN
 from app.tools.moving import ARROWS, key_turn, key_way, turned_by
@@ -145,7 +146,8 @@ def put_picture(
 ) -> Response:
     """Put a picture behind a shape, or take it away; joined, edits of that name in a row are one step."""
     commit = Commit(scene.document.put_picture(side, picture), name, (name, side) if joined else None)
-    return Response(PictureTool(side), commit)
+    there = None if scene.selection.side == side else Selection(side)  # the one worked on from now on
+    return Response(PictureTool(side), commit, there)
 
 
 def free_picture(document: Document, side: Side) -> Picture | None:

@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDoubleSpinBox, QSlider
 
+from app.model.marks import Side
 from app.tools.picture import picture_handles
 from app.view.painting.camera import Camera
 from app.view.painting.pictures import LARGEST, picture_of
@@ -30,9 +31,9 @@ def image_file(width: int, height: int, kind: str = "PNG") -> bytes:
     return bytes(data.data())
 
 
-def drop(driver: Driver, data: QMimeData) -> None:
-    """Drop something on the source canvas."""
-    canvas = driver.window.canvases["source"]
+def drop(driver: Driver, data: QMimeData, side: Side = "source") -> None:
+    """Drop something on a canvas."""
+    canvas = driver.window.canvases[side]
     place, action = QPointF(50, 50), Qt.DropAction.CopyAction
     entered = QDragEnterEvent(place.toPoint(), action, data, LEFT, PLAIN)
     QApplication.sendEvent(canvas, entered)
@@ -88,6 +89,19 @@ def test_a_dropped_picture_is_behind_the_shape_and_undone_as_one_step(pictured: 
     assert middle.green() > middle.red()
     pictured.key(Qt.Key.Key_Z, CONTROL)
     assert pictured.document.picture("source") is None
+
+
+def test_a_picture_dropped_on_the_other_canvas_is_the_one_that_commands_are_about(
+    pictured: Driver, tmp_path: Path
+) -> None:
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(tmp_path / "photo.png"))])
+    assert pictured.session.selection.side == "source"
+    drop(pictured, data, "target")
+    assert pictured.window.actions_table["picture-remove"].isEnabled()
+    pictured.window.actions_table["picture-remove"].trigger()
+    assert pictured.document.picture("target") is None
+    assert pictured.document.picture("source") is not None
 
 
 def test_a_dropped_text_is_refused_on_the_canvas(driver: Driver, tmp_path: Path) -> None:
