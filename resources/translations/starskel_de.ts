@@ -436,6 +436,10 @@
         <translation>ein offener Pfad wurde geschlossen</translation>
     </message>
     <message>
+        <source>the GeoJSON</source>
+        <translation>das GeoJSON</translation>
+    </message>
+    <message>
         <source>the GeoJSON is damaged: {error}</source>
         <translation>die GeoJSON-Datei ist beschädigt: {error}</translation>
     </message>
@@ -548,12 +552,20 @@
         <translation>Geometrien ohne Fläche wurden weggelassen: {count}</translation>
     </message>
     <message>
+        <source>the WKT</source>
+        <translation>das WKT</translation>
+    </message>
+    <message>
         <source>the file is no WKT</source>
         <translation>die Datei ist kein WKT</translation>
     </message>
     <message>
         <source>give a text file</source>
         <translation>geben Sie eine Textdatei</translation>
+    </message>
+    <message>
+        <source>nested brackets</source>
+        <translation>verschachtelte Klammern</translation>
     </message>
     <message>
         <source>give text that begins like &quot;POLYGON ((0 0, &quot;</source>

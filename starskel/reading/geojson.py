@@ -7,6 +7,7 @@ import msgspec
 import shapely
 
 from starskel.errors import InvalidFile, told
+from starskel.limits import DRAWING_NUMBERS, check_limit
 from starskel.reading.areas import area_of
 from starskel.reading.found import Found, Reading, uniquely_named
 from starskel.reading.wanted import Wanted
@@ -32,11 +33,24 @@ def read(content: bytes, wanted: Wanted) -> Reading:
     InvalidFile
         If it is damaged or no GeoJSON.
     """
+    check_limit(
+        told("the GeoJSON"), told("values"), content.count(b",") + content.count(b"["), DRAWING_NUMBERS
+    )
     try:
         document = msgspec.json.decode(content)
         features = list(_features(document))
         geometries = [shapely.from_geojson(msgspec.json.encode(geometry)) for _, geometry in features]
-    except (msgspec.DecodeError, shapely.errors.GEOSException, UnicodeDecodeError, RecursionError) as error:
+    except InvalidFile:
+        raise
+    except (
+        msgspec.DecodeError,
+        shapely.errors.GEOSException,
+        ArithmeticError,
+        AttributeError,
+        RecursionError,
+        TypeError,
+        UnicodeDecodeError,
+    ) as error:
         raise InvalidFile(
             told("the GeoJSON is damaged: {error}", error=error), told("take an undamaged copy")
         ) from error

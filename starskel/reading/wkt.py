@@ -5,6 +5,7 @@ import re
 import shapely
 
 from starskel.errors import InvalidFile, told
+from starskel.limits import DEPTH, RING_VERTICES, check_limit
 from starskel.reading.areas import area_of
 from starskel.reading.found import Found, Reading
 from starskel.reading.wanted import Wanted
@@ -27,7 +28,7 @@ def read(content: bytes, wanted: Wanted) -> Reading:
     for number, text in enumerate(_geometries(content), 1):
         try:
             made = area_of(shapely.force_2d(shapely.from_wkt(text)))
-        except (shapely.errors.GEOSException, ValueError) as error:
+        except (shapely.errors.GEOSException, ValueError, ArithmeticError) as error:
             raise InvalidFile(
                 told("geometry {number} of the WKT is damaged: {error}", number=number, error=error),
                 told("take an undamaged copy"),
@@ -41,6 +42,7 @@ def read(content: bytes, wanted: Wanted) -> Reading:
 
 def _geometries(content: bytes) -> list[str]:
     """Cut the text where geometries begin outside of all brackets."""
+    check_limit(told("the WKT"), told("vertices"), content.count(b","), RING_VERTICES)
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -53,6 +55,7 @@ def _geometries(content: bytes) -> list[str]:
             at = found.end()
             continue
         depth += {"(": 1, ")": -1}.get(text[at], 0)
+        check_limit(told("the WKT"), told("nested brackets"), depth, DEPTH)
         at += 1
     if not starts:
         raise InvalidFile(told("the file is no WKT"), told('give text that begins like "POLYGON ((0 0, "'))

@@ -50,3 +50,23 @@ def test_an_unknown_encoding_is_a_damaged_file() -> None:
     content = b'<?xml version="1.0" encoding="rot13"?>' + SVG.format(PATH).encode()
     with pytest.raises(InvalidFile, match="damaged"):
         read_content(content, Path("a.svg"))
+
+
+@pytest.mark.parametrize(
+    ("content", "path", "why"),
+    [
+        (
+            b"GEOMETRYCOLLECTION(" * 100_000 + b")" * 100_000,
+            "a.wkt",
+            "nested brackets; give a file with at most",
+        ),
+        (b"POLYGON((" + b"1 1," * 200_000, "a.wkt", "200000 vertices; give a file with at most 100000"),
+        (b'{"type":["Polygon"]}', "a.geojson", "damaged"),
+        (b'{"type":"FeatureCollection","features":7}', "a.geojson", "damaged"),
+        (b'{"type":"FeatureCollection","features":[' + b"0," * 400_000, "a.geojson", "values; give a file"),
+    ],
+    ids=["0", "1", "2", "3", "4"],
+)
+def test_maps_beyond_a_limit_or_of_other_things_are_refused(content: bytes, path: str, why: str) -> None:
+    with pytest.raises(InvalidFile, match=why):
+        read_content(content, Path(path))
