@@ -432,6 +432,10 @@
         <translation>wählen Sie ein Verfahren, und für jedes eine eigene Datei</translation>
     </message>
     <message>
+        <source>a geometry has coordinates beyond all numbers</source>
+        <translation>eine Geometrie hat Koordinaten jenseits aller Zahlen</translation>
+    </message>
+    <message>
         <source>an open path was closed</source>
         <translation>ein offener Pfad wurde geschlossen</translation>
     </message>

@@ -1,14 +1,21 @@
 """Areas of geometries as maps have them: polygons as they are, lines as the rings that they stand for."""
 
+import numpy as np
 import shapely
 
-from starskel.errors import told
+from starskel.errors import InvalidFile, told
+from starskel.predicates import LARGEST
 from starskel.reading.mending import shape_of_geometry, shape_of_rings
 from starskel.shapes.shape import Shape
 
 
 def area_of(geometry: shapely.Geometry) -> tuple[Shape, tuple[str, ...]] | None:
     """Give what a geometry encloses, and what was mended; None where that is nothing."""
+    if not (np.abs(shapely.get_coordinates(geometry)) < LARGEST).all():
+        raise InvalidFile(
+            told("a geometry has coordinates beyond all numbers"),
+            told("give finite coordinates below {largest:g}", largest=LARGEST),
+        )
     parts = shapely.get_parts(shapely.get_parts(geometry))
     polygons = [part for part in parts if part.geom_type == "Polygon" and not part.is_empty]
     if polygons:

@@ -69,6 +69,8 @@ def shape_of_geometry(
     """
     told_already = list(repairs)
     if not shapely.is_valid(geometry):
+        rings = shapely.get_parts(shapely.get_rings(shapely.get_parts(geometry)))
+        check_crossings([shapely.get_coordinates(ring)[:-1] for ring in rings])
         reason = shapely.is_valid_reason(geometry).replace("[", " at (").replace("]", ")")
         told_already.append(told("it was no proper area and was mended: {reason}", reason=reason))
         geometry = shapely.make_valid(geometry, method="structure")

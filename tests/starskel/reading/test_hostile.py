@@ -13,6 +13,8 @@ PATH = '<path id="a0" d="M0 0H9V9H0Z"/>'
 TEN_TIMES = '<use href="#a{}"/>' * 10
 TWICE = "".join('<g id="a{}">{}</g>'.format(k, TEN_TIMES.replace("{}", str(k - 1))) for k in range(1, 12))
 TANGLE = " ".join(f"{x:.3f} {y:.3f}" for x, y in np.random.default_rng(0).random((3000, 2)) * 1000)
+POINTS = TANGLE.split()
+CLOSED = ", ".join(map(" ".join, zip([*POINTS[::2], POINTS[0]], [*POINTS[1::2], POINTS[1]], strict=True)))
 STROKED = f'<path d="M{TANGLE}" fill="none" stroke="black"/>'
 
 
@@ -70,3 +72,16 @@ def test_an_unknown_encoding_is_a_damaged_file() -> None:
 def test_maps_beyond_a_limit_or_of_other_things_are_refused(content: bytes, path: str, why: str) -> None:
     with pytest.raises(InvalidFile, match=why):
         read_content(content, Path(path))
+
+
+@pytest.mark.parametrize(
+    ("coordinates", "why"),
+    [
+        ("0 0, 1e308 0, 1e308 1e308, 0 0", "beyond all numbers"),
+        (CLOSED, "crossings; give a file with at most 5000"),
+    ],
+    ids=["0", "1"],
+)
+def test_areas_beyond_all_numbers_and_tangles_are_refused(coordinates: str, why: str) -> None:
+    with pytest.raises(InvalidFile, match=why):
+        read_content(f"POLYGON(({coordinates}))".encode(), Path("a.wkt"))
