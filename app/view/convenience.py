@@ -22,6 +22,7 @@ from app.view.files.remembered import (
     switches,
 )
 from app.view.lists.history_list import HistoryList
+from app.view.manual import Manual
 from app.view.painting.display import Layers
 from app.view.wording import language
 
@@ -50,6 +51,7 @@ class Convenience(QObject):
             "find-command": self._find,
             "shortcuts": self._change_shortcuts,
             "about": self._tell,
+            "manual": self._show_manual,
         }
 
     def begin(self, actions: Actions) -> None:
@@ -97,6 +99,14 @@ class Convenience(QObject):
         dialog = ShortcutsDialog(self._actions.all, self._window)
         dialog.exec()
         dialog.deleteLater()
+
+    @Slot()
+    def _show_manual(self) -> None:
+        """Show the manual, or the one that is open already."""
+        manual = self._window.findChild(Manual) or Manual(self._window)
+        manual.show()
+        manual.raise_()
+        manual.activateWindow()
 
     @Slot()
     def _tell(self) -> None:

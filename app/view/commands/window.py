@@ -17,6 +17,12 @@ WINDOW = (
 
 HELP = (
     Command(
+        "manual",
+        QT_TRANSLATE_NOOP("Command", "&Manual"),
+        QT_TRANSLATE_NOOP("Command", "Read how it is done: blends, marks, exports, scripts"),
+        ("F1",),
+    ),
+    Command(
         "find-command",
         QT_TRANSLATE_NOOP("Command", "&Find Command…"),
         QT_TRANSLATE_NOOP("Command", "Find a command by a part of its name"),
