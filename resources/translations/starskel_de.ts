@@ -1523,6 +1523,14 @@
         <translation>Die Liste der Änderungen zeigen, um zu jeder zurückzugehen</translation>
     </message>
     <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>Read how it is done: blends, marks, exports, scripts</source>
+        <translation>Nachlesen, wie es geht: Überblendungen, Marken, Exporte, Skripte</translation>
+    </message>
+    <message>
         <source>&amp;Find Command…</source>
         <translation>Befehl &amp;finden…</translation>
     </message>
@@ -2467,6 +2475,37 @@
     <message>
         <source>{command} {step}</source>
         <translation>{command}: {step}</translation>
+    </message>
+</context>
+<context>
+    <name>Manual</name>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Page of the manual</source>
+        <translation>Seite des Handbuchs</translation>
+    </message>
+    <message>
+        <source>Find in the manual</source>
+        <translation>Im Handbuch suchen</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>Nicht gefunden</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Forward</source>
+        <translation>&amp;Vorwärts</translation>
+    </message>
+    <message>
+        <source>&amp;Contents</source>
+        <translation>&amp;Inhalt</translation>
     </message>
 </context>
 <context>
