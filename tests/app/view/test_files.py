@@ -1,4 +1,3 @@
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -6,24 +5,17 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
-    QCheckBox,
     QComboBox,
     QDialogButtonBox,
     QFileDialog,
     QLineEdit,
     QMessageBox,
-    QProgressBar,
     QWidget,
 )
 
-from app.playback import Repeat
 from app.view.files import exporting, files
 from app.view.files.dialogs import PairDialog, SaveDialog
-from app.view.files.export_dialog import ExportDialog
-from app.view.files.look_fields import LookFields
-from app.view.files.waiting import Waiting
 from app.view.main_window import MainWindow
-from starskel.easing import Easing
 from starskel.files.examples import example
 from starskel.files.pairs import ShapePair, write_pairs
 from starskel.files.project_file import read_project
@@ -177,35 +169,6 @@ def test_one_of_many_pairs_is_chosen_by_its_name(driver: Driver, tmp_path: Path)
     assert "star" in driver.window.windowTitle()
 
 
-def test_keyframes_are_exported_through_the_dialogs(driver: Driver, tmp_path: Path) -> None:
-    driver.draw_both()
-    driver.wait_for_blends()
-    for row, name in enumerate(
-        ("row.svg", "frame.eps", "pages.ps", "sheet.svg", "lottie.json", "numbers.csv")
-    ):
-        driver.in_dialog(_exporting(driver, row, tmp_path / name))
-        driver.key(Qt.Key.Key_E, CONTROL)
-        assert (tmp_path / name).stat().st_size > 500
-        assert name in driver.window.statusBar().currentMessage()
-
-
-def test_keyframes_are_exported_as_far_apart_as_they_are_played(driver: Driver, tmp_path: Path) -> None:
-    driver.draw_both()
-    driver.wait_for_blends()
-    driver.session.store(driver.document.steer(easing=Easing((0.4, 0.0), (0.6, 1.0))), "Set easing")
-    driver.in_dialog(_exporting(driver, 0, tmp_path / "eased.svg"))
-    driver.key(Qt.Key.Key_E, CONTROL)
-    assert "t = 0.2<" not in (tmp_path / "eased.svg").read_text()
-    driver.session.undo()
-    driver.in_dialog(_exporting(driver, 0, tmp_path / "even.svg"))
-    driver.key(Qt.Key.Key_E, CONTROL)
-    assert "t = 0.2<" in (tmp_path / "even.svg").read_text()
-
-
-def test_there_is_nothing_to_export_before_there_is_a_blend(driver: Driver) -> None:
-    assert not driver.window.actions_table["export"].isEnabled()
-
-
 def test_save_as_goes_to_another_file(driver: Driver, tmp_path: Path) -> None:
     driver.draw("source", SQUARE)
     for name in ("one.json", "two.json"):
@@ -301,124 +264,6 @@ def test_where_nothing_can_be_written_export_and_save_say_so(
     assert "was not saved" in said[0]
     assert "was not written" in said[1]
     assert driver.session.unsaved
-
-
-def test_an_animation_takes_as_long_as_it_plays(driver: Driver, tmp_path: Path) -> None:
-    driver.draw_both()
-    driver.wait_for_blends()
-    driver.window.player.set_speed(2.0)
-    for repeat, seconds in ((Repeat.LOOP, "1.5s"), (Repeat.PING_PONG, "3s")):
-        driver.window.player.set_repeat(repeat)
-        path = tmp_path / f"{repeat.value}.svg"
-        driver.in_dialog(_exporting(driver, 4, path))
-        driver.key(Qt.Key.Key_E, CONTROL)
-        assert f'dur="{seconds}"' in path.read_text()
-
-
-def test_a_long_export_shows_how_far_it_is_and_can_be_given_up(driver: Driver, tmp_path: Path) -> None:
-    driver.session.show_project(example("figure-10-dog"))
-    driver.wait_for_blends()
-    path = tmp_path / "morph.apng"
-
-    def give_up(dialog: QWidget) -> None:
-        assert isinstance(dialog, Waiting)
-        bar = dialog.findChild(QProgressBar)
-        assert bar is not None
-        driver.wait(lambda: bar.value() > 12)
-        cancel = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Cancel)  # type: ignore[union-attr]
-        QTest.mouseClick(cancel, Qt.MouseButton.LeftButton)
-
-    def name(dialog: QWidget) -> None:
-        driver.in_dialog(give_up)
-        name_file(dialog, path.name)
-
-    def choose(dialog: QWidget) -> None:
-        assert isinstance(dialog, ExportDialog)
-        layouts = dialog.findChildren(QComboBox)[0]
-        layouts.setCurrentIndex(layouts.findData("morph"))
-        driver.in_dialog(name)
-        dialog.accept()
-
-    driver.in_dialog(choose)
-    driver.key(Qt.Key.Key_E, CONTROL)
-    assert not path.exists()
-    assert not driver.window.statusBar().currentMessage().startswith("Exported")
-
-
-def test_numbered_files_are_not_overwritten_unasked(driver: Driver, tmp_path: Path) -> None:
-    def refuse(dialog: QWidget) -> None:
-        assert isinstance(dialog, QMessageBox)
-        assert "walk-0002.svg" in dialog.informativeText()
-        dialog.reject()
-
-    def export(answer: Callable[[QWidget], None]) -> None:
-        def name(dialog: QWidget) -> None:
-            driver.in_dialog(answer)
-            _name(dialog, tmp_path / "walk.svg")
-
-        def choose(dialog: QWidget) -> None:
-            assert isinstance(dialog, ExportDialog)
-            layouts = dialog.findChildren(QComboBox)[0]
-            layouts.setCurrentIndex(layouts.findData("pages"))
-            driver.in_dialog(name)
-            dialog.accept()
-
-        driver.in_dialog(choose)
-        driver.key(Qt.Key.Key_E, CONTROL)
-
-    driver.draw_both()
-    driver.wait_for_blends()
-    (tmp_path / "walk-0002.svg").write_text("mine")
-    export(refuse)
-    assert [path.name for path in tmp_path.glob("*.svg")] == ["walk-0002.svg"]
-    assert (tmp_path / "walk-0002.svg").read_text() == "mine"
-
-    def overwrite(dialog: QWidget) -> None:
-        assert isinstance(dialog, QMessageBox)
-        dialog.buttons()[0].click()
-
-    export(overwrite)
-    assert len(list(tmp_path.glob("walk-*.svg"))) == 6
-    assert "<svg" in (tmp_path / "walk-0002.svg").read_text()
-
-
-def test_an_export_looks_as_it_was_wanted(driver: Driver, tmp_path: Path) -> None:
-    def choose(dialog: QWidget) -> None:
-        assert isinstance(dialog, ExportDialog)
-        fields = dialog.findChild(LookFields)
-        assert fields is not None
-        for box in fields.findChildren(QCheckBox):
-            box.setChecked(box.text() == "Paper")
-        for box in dialog.findChildren(QCheckBox):
-            if box.text() == "Vertices":
-                box.click()
-        fields.findChildren(QComboBox)[0].setCurrentIndex(2)
-        driver.in_dialog(lambda inner: _name(inner, tmp_path / "own.svg"))
-        dialog.accept()
-
-    driver.draw_both()
-    driver.wait_for_blends()
-    driver.in_dialog(choose)
-    driver.key(Qt.Key.Key_E, CONTROL)
-    text = (tmp_path / "own.svg").read_text()
-    assert "t = 0" not in text
-    assert text.count("<circle") == 6 * len(driver.session.fresh_results[0].pairs[0])
-    assert 'fill="#ffffff"/>' in text
-    assert text.count("<path") == 7
-    assert 'stroke="#20262e" stroke-width="0.7"' not in text
-
-
-def _exporting(driver: Driver, row: int, path: Path):  # type: ignore[no-untyped-def]
-    def act(dialog: QWidget) -> None:
-        assert isinstance(dialog, ExportDialog)
-        layouts = dialog.findChildren(QComboBox)[0]
-        for _ in range(row):
-            QTest.keyClick(layouts, Qt.Key.Key_Down)
-        driver.in_dialog(lambda inner: _name(inner, path))
-        save = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save)  # type: ignore[union-attr]
-        QTest.mouseClick(save, Qt.MouseButton.LeftButton)
-
-    return act
 
 
 def _name(dialog: QWidget, path: Path) -> None:
