@@ -33,9 +33,11 @@ def export(window: QWidget, session: Session, player: Player, display: Display, 
     """
     shown, whole = stretches(session)[session.document.step], whole_sequence(session)
     dialog = ExportDialog(shown, player, display, window, whole=bool(whole))
-    if dialog.exec() != QDialog.DialogCode.Accepted:
+    accepted, choice = dialog.exec() == QDialog.DialogCode.Accepted, dialog.choice
+    dialog.deleteLater()
+    if not accepted:
         return None
-    choice, title = dialog.choice, translate("Files", "Export")
+    title = translate("Files", "Export")
     endings = tuple(each.ending for each in FORMATS[choice.layout])
     path = path_to_save(window, title, file.with_name(f"{file.name}{endings[0]}"), endings)
     if path is None or not _may_write(window, path, choice):
