@@ -10,6 +10,7 @@ from app.export import FORMATS, Choice, Layout, Stretch, write_choice
 from app.model.easing import Easing
 from starskel import Cancelled, InvalidFile, Polygon, blend, match, measure
 from starskel.cli import main
+from starskel.export.write import paths_of
 from starskel.files.examples import example, resource_folder
 from starskel.files.key_shape import KeyShape
 from starskel.files.picture import Picture
@@ -46,7 +47,9 @@ def test_every_layout_is_written_in_each_of_its_formats(
     path = tmp_path / f"out{ending}"
     choice = Choice(layout, "vertex", frames=5, seconds=0.2)
     write_choice(path, "Star", choice, [Stretch(results, pictures=(PICTURE, None))])
-    text = path.read_bytes().decode("latin-1")
+    files = [path] if layout == "morph" else list(paths_of(path, choice.settings))
+    assert sorted(tmp_path.iterdir()) == files
+    text = files[-1].read_bytes().decode("latin-1")
     starts = {".svg": "<?xml", ".eps": "%!PS-Adobe-3.0 EPSF", ".ps": "%!PS-Adobe", ".pdf": "%PDF"}
     pictures = {".png": "\x89PNG", ".apng": "\x89PNG", ".gif": "GIF89a", ".webp": "RIFF", ".mp4": "\0\0\0"}
     assert text.startswith({**starts, **pictures, ".json": "{", ".csv": "method,"}[ending])

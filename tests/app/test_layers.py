@@ -25,7 +25,7 @@ def test_qt_stays_where_it_belongs(module: Path) -> None:
     place = module.relative_to(APP)
     if place.parts[0] == "view":
         return
-    allowed = {"QtCore"} if place.parts[0] in ("session.py", "compute") else set()
+    allowed = {"QtCore"} if place.parts[0] in ("session.py", "compute", "recovery") else set()
     assert qt_parts(module) <= allowed
 
 
