@@ -272,10 +272,10 @@ class Session(QObject):
             self.history = self.history.push(document, name)
             self._look(Selection(side), lost)
 
-    def work_on(self, side: Side) -> None:
-        """Let the shape on this side be the one worked on."""
-        if self.finish():
-            self._take(self.hand.select(Selection(side)))
+    def choose(self, selection: Selection) -> None:
+        """Select something; its side is the one worked on."""
+        if selection != self.selection and self.finish():
+            self._take(self.hand.select(selection))
 
     def _look(self, selection: Selection, lost: int = 0) -> None:
         """Show the step that the document is at now."""

@@ -1,4 +1,4 @@
-"""Selection: some vertices of one shape."""
+"""Selection: some vertices of one part, and other parts of its shape."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -20,10 +20,13 @@ class Selection:
         The shape they belong to, the one that was worked on last.
     vertices : frozenset of int
         Their indices; empty where nothing is selected.
+    links : frozenset of int
+        Where several parts are chosen in their list, the numbers of their links.
     """
 
     side: Side = "source"
     vertices: frozenset[int] = frozenset()
+    links: frozenset[int] = frozenset()
 
     def __bool__(self) -> bool:
         return bool(self.vertices)

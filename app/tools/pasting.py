@@ -2,7 +2,9 @@
 
 from collections.abc import Mapping
 
+from app.model import clipping as clippings
 from app.model import parts
+from app.model.clipping import Clipping
 from app.model.marks import Side
 from app.model.selection import Selection, everything
 from app.model.texts import QT_TRANSLATE_NOOP
@@ -10,19 +12,19 @@ from app.tools.select import SelectTool
 from app.tools.tool import Commit, Response, Scene, refused_ring
 from starskel.errors import InvalidPolygon
 from starskel.polygon import Polygon
-from starskel.predicates import Floats
 from starskel.shapes.shape import Shape
 
 
-def pasted(scene: Scene, side: Side, ring: Floats) -> Response:
-    """Put a ring in the place of the shape on a canvas."""
+def pasted(scene: Scene, side: Side, clipping: Clipping) -> Response:
+    """Put what was copied in the place of the shape on a canvas, or add its parts to those there."""
     try:
-        polygon = Polygon(ring)
+        document = clippings.pasted(scene.document, side, clipping)
     except InvalidPolygon as error:
+        ring = clipping.shape.rings[0].vertices
         return Response(SelectTool(side), refusal=refused_ring(side, ring, error))
-    document = scene.document.draw(side, polygon)
     commit = Commit(document, QT_TRANSLATE_NOOP("Step", "Paste shape"))
-    return Response(SelectTool(side), commit, everything(document, side))
+    chosen = clippings.everything_of(document, side, len(clipping.shape))
+    return Response(SelectTool(side), commit, chosen)
 
 
 def put(scene: Scene, shapes: Mapping[Side, Shape], name: str) -> Response:
@@ -38,7 +40,7 @@ def put(scene: Scene, shapes: Mapping[Side, Shape], name: str) -> Response:
     return Response(SelectTool(sides[0]), Commit(document, name), chosen)
 
 
-def cut(scene: Scene, side: Side) -> Response:
-    """Take the shape off a canvas."""
-    commit = Commit(scene.document.draw(side, None), QT_TRANSLATE_NOOP("Step", "Cut shape"))
-    return Response(SelectTool(side), commit, Selection(side))
+def cut(scene: Scene, selection: Selection) -> Response:
+    """Take what is selected off its canvas: parts with their holes, or the whole shape."""
+    commit = Commit(clippings.cut(scene.document, selection), QT_TRANSLATE_NOOP("Step", "Cut shape"))
+    return Response(SelectTool(selection.side), commit, Selection(selection.side))

@@ -1335,24 +1335,24 @@
         <translation>Form &amp;ausschneiden</translation>
     </message>
     <message>
-        <source>Take the shape last worked on to the clipboard</source>
-        <translation>Die zuletzt bearbeitete Form in die Zwischenablage nehmen</translation>
+        <source>Take the selected parts, or the whole shape, to the clipboard</source>
+        <translation>Ausgewählte Teile oder die ganze Form in die Zwischenablage nehmen</translation>
+    </message>
+    <message>
+        <source>Copy the selected parts with their holes, or the whole shape; as SVG, too</source>
+        <translation>Ausgewählte Teile mit ihren Löchern oder die ganze Form kopieren, auch als SVG</translation>
+    </message>
+    <message>
+        <source>Put a copied shape in place of the one last worked on, or add copied parts</source>
+        <translation>Eine kopierte Form an die Stelle der zuletzt bearbeiteten setzen oder kopierte Teile anfügen</translation>
     </message>
     <message>
         <source>&amp;Copy Shape</source>
         <translation>Form &amp;kopieren</translation>
     </message>
     <message>
-        <source>Copy the shape last worked on; other programs get it as SVG</source>
-        <translation>Die zuletzt bearbeitete Form kopieren; andere Programme bekommen sie als SVG</translation>
-    </message>
-    <message>
         <source>&amp;Paste Shape</source>
         <translation>Form &amp;einfügen</translation>
-    </message>
-    <message>
-        <source>Put a copied shape, or an SVG outline, on the canvas last worked on</source>
-        <translation>Eine kopierte Form oder einen SVG-Umriss auf die zuletzt bearbeitete Fläche setzen</translation>
     </message>
     <message>
         <source>Copy to &amp;Other Canvas</source>

@@ -1,23 +1,32 @@
 """Shapes on the clipboard: with all their digits for this program, as SVG for others."""
 
 import msgspec
-import numpy as np
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
+from app.model.clipping import Clipping
 from app.model.svg_outline import outline_svg
-from starskel.errors import InvalidFile, told
-from starskel.predicates import Floats
+from starskel.errors import InvalidFile, StarskelError, told
+from starskel.shapes.shape import Shape
 
 OWN = "application/x-starskel-shape"
 SVG = ("image/svg+xml", "image/x-inkscape-svg", "image/svg")
 
 
-def copy_ring(ring: Floats) -> None:
-    """Put a ring on the clipboard."""
-    svg = outline_svg(ring)
+class _Clipping(msgspec.Struct, frozen=True):
+    """A clipping, each part as its outline and its holes."""
+
+    parts: list[list[list[tuple[float, float]]]]
+    whole: bool
+
+
+def copy_shape(clipping: Clipping) -> None:
+    """Put a shape on the clipboard."""
+    shape, svg = clipping.shape, outline_svg(clipping.shape)
+    rings = [ring.vertices.tolist() for ring in shape.rings]
+    parts = [[rings[outline], *(rings[k] for k in shape.holes(outline))] for outline in shape.outlines]
     data = QMimeData()
-    data.setData(OWN, msgspec.json.encode(ring.tolist()))
+    data.setData(OWN, msgspec.json.encode(_Clipping(parts, clipping.whole)))
     data.setData(SVG[0], svg.encode())
     data.setText(svg)
     QGuiApplication.clipboard().setMimeData(data)
@@ -34,12 +43,16 @@ def leave_clipboard() -> None:
         clipboard.setText(data.text())
 
 
-def copied_ring() -> Floats | None:
-    """Give the ring that this program put on the clipboard, None where there is none."""
+def copied_shape() -> Clipping | None:
+    """Give the shape that this program put on the clipboard, None where there is none that can be read."""
     data = _data()
     if not data.hasFormat(OWN):
         return None
-    return np.array(msgspec.json.decode(bytes(data.data(OWN).data()), type=list[tuple[float, float]]))
+    try:
+        found = msgspec.json.decode(bytes(data.data(OWN).data()), type=_Clipping)
+        return Clipping(Shape.of_parts([(outline, holes) for outline, *holes in found.parts]), found.whole)
+    except (msgspec.MsgspecError, StarskelError, ValueError):
+        return None  # of another version, perhaps: there is SVG besides
 
 
 def copied_svg() -> bytes:

@@ -5,13 +5,15 @@ from functools import partial
 
 from PySide6.QtCore import QObject, Slot
 
+from app.model.clipping import clipping_of
 from app.model.marks import Side
+from app.model.selection import Selection
 from app.session import Session
 from app.tools.pasting import cut
 from app.tools.tool import Scene
 from app.tools.verbs import VERBS, meant
 from app.view.canvas.canvas import Canvas
-from app.view.canvas.clipboard import copy_ring
+from app.view.canvas.clipboard import copy_shape
 
 
 class Edits(QObject):
@@ -35,6 +37,12 @@ class Edits(QObject):
         """The shape that was worked on last, or the only one there is."""
         return meant(Scene(self._session.document, self._session.selection)).side
 
+    @property
+    def _meant(self) -> Selection:
+        """What is selected; where nothing is, all of that shape."""
+        selection = self._session.selection
+        return selection if selection.side == self._side else Selection(self._side)
+
     @Slot()
     def _do(self) -> None:
         verb = VERBS[self.sender().objectName()]
@@ -43,10 +51,10 @@ class Edits(QObject):
 
     @Slot()
     def _copy(self) -> None:
-        if self._session.finish() and self._session.document.polygon(self._side) is not None:
-            copy_ring(self._session.document.vertices(self._side))
+        if self._session.finish() and (clipping := clipping_of(self._session.document, self._meant)):
+            copy_shape(clipping)
 
     @Slot()
     def _cut(self) -> None:
         self._copy()
-        self._session.edit(partial(cut, side=self._side))
+        self._session.edit(partial(cut, selection=self._meant))

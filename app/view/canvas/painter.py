@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPalette
 
+from app.model.clipping import chosen_parts
 from app.model.document import Point
 from app.model.marks import Side, end, mark_at
 from app.model.parts import stacked
@@ -158,10 +159,15 @@ class CanvasPainter:
             self._painter.setBrush(faded(colour, 0.22 if worked_on in (outline, *holes) else 0.13))
             paint_region(self._painter, rings[outline], [rings[hole] for hole in holes])
         self._painter.setBrush(Qt.BrushStyle.NoBrush)
+        selection = self._session.selection
+        several = selection.side == self._side and bool(selection.links)
+        chosen = chosen_parts(self._session.document, selection) if several else ()
         for number, ring in enumerate(rings):
             if shown[number] and number != worked_on:
                 colour = QColor(parts[number].colour or self._theme.side(self._side))
                 self._painter.setPen(pen(faded(colour, 0.7), 1.0))
+                if number in chosen:
+                    self._painter.setPen(pen(self._theme.accent, 2.5))
                 self._painter.drawPolygon(polygon_of(ring))
 
     def _paint_structure(self) -> None:

@@ -118,19 +118,23 @@ CLIPBOARD = (
     Command(
         "cut",
         QT_TRANSLATE_NOOP("Command", "Cu&t Shape"),
-        QT_TRANSLATE_NOOP("Command", "Take the shape last worked on to the clipboard"),
+        QT_TRANSLATE_NOOP("Command", "Take the selected parts, or the whole shape, to the clipboard"),
         ("Ctrl+X",),
     ),
     Command(
         "copy",
         QT_TRANSLATE_NOOP("Command", "&Copy Shape"),
-        QT_TRANSLATE_NOOP("Command", "Copy the shape last worked on; other programs get it as SVG"),
+        QT_TRANSLATE_NOOP(
+            "Command", "Copy the selected parts with their holes, or the whole shape; as SVG, too"
+        ),
         ("Ctrl+C",),
     ),
     Command(
         "paste",
         QT_TRANSLATE_NOOP("Command", "&Paste Shape"),
-        QT_TRANSLATE_NOOP("Command", "Put a copied shape, or an SVG outline, on the canvas last worked on"),
+        QT_TRANSLATE_NOOP(
+            "Command", "Put a copied shape in place of the one last worked on, or add copied parts"
+        ),
         ("Ctrl+V",),
     ),
 )

@@ -22,7 +22,7 @@ from app.tools.pasting import pasted, put
 from app.tools.select import SelectTool
 from app.tools.tool import Refusal, Response, Scene
 from app.view.canvas.canvas import Canvas
-from app.view.canvas.clipboard import copied_ring, copied_svg
+from app.view.canvas.clipboard import copied_shape, copied_svg
 from app.view.files.dialogs import complain, path_to_import
 from app.view.wording import words
 from starskel.errors import StarskelError
@@ -82,8 +82,8 @@ class Importing(QObject):
     def paste(self) -> None:
         """Put what is on the clipboard on the canvas that was worked on last, and show all of it."""
         side = self._session.selection.side
-        if (ring := copied_ring()) is not None:
-            self._session.edit(partial(pasted, side=side, ring=ring))
+        if (clipping := copied_shape()) is not None:
+            self._session.edit(partial(pasted, side=side, clipping=clipping))
             self._canvases[side].reveal()
             return
         self._aim = Aim(_CLIPBOARD, side)

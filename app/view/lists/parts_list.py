@@ -1,7 +1,20 @@
 """The list of parts beside the canvases: shown or not, named, coloured, and what becomes of each."""
 
-from PySide6.QtCore import QAbstractItemModel, QEvent, QSignalBlocker, QSize, Qt, Slot
-from PySide6.QtGui import QAction, QKeyEvent
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+
+from PySide6.QtCore import (
+    QAbstractItemModel,
+    QEvent,
+    QItemSelection,
+    QModelIndex,
+    QSignalBlocker,
+    QSize,
+    Qt,
+    Slot,
+)
+from PySide6.QtGui import QAction, QDrag, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QCheckBox,
@@ -72,13 +85,14 @@ class PartsTable(QTableView):
         self._session = session
         self._actions = actions
         self._parts = PartsModel(session, partnering, self)
+        self._pressed, self._chooses = QModelIndex(), False
         self.setModel(self._parts)
         self.setItemDelegate(PartDelegate(self))
         self.setObjectName("parts-table")
         self.setAccessibleName(self.tr("Parts"))
         self.setIconSize(ICON)
         self.setEditTriggers(QAbstractItemView.EditTrigger.DoubleClicked)
-        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setDragDropMode(QAbstractItemView.DragDropMode.DragDrop)
         self.setDefaultDropAction(Qt.DropAction.MoveAction)
@@ -89,7 +103,8 @@ class PartsTable(QTableView):
         header.setHighlightSections(False)
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(28)
-        session.document_changed.connect(self.follow)
+        for signal in (session.document_changed, session.changed):
+            signal.connect(self.follow)
         self.follow()
 
     def event(self, event: QEvent) -> bool:
@@ -109,20 +124,51 @@ class PartsTable(QTableView):
             if self._parts.flags(index) & Qt.ItemFlag.ItemIsEditable:
                 self.edit(index)
         else:
-            super().keyPressEvent(event)
+            with self._choosing():
+                super().keyPressEvent(event)
 
     def currentChanged(self, current: Index, previous: Index) -> None:
         super().currentChanged(current, previous)
         if current.isValid():
             self._session.show_link(self._parts.link(current.row()))
 
+    def selectionChanged(self, selected: QItemSelection, deselected: QItemSelection) -> None:
+        """Let all rows that are chosen be selected parts, where they are several."""
+        super().selectionChanged(selected, deselected)
+        rows = self.selectionModel().selectedRows()
+        links = frozenset(self._parts.link(index.row()) for index in rows) if len(rows) > 1 else frozenset()
+        selection = self._session.selection
+        self._session.choose(replace(selection, links=links))
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._pressed = self.indexAt(event.position().toPoint())
+        with self._choosing():
+            super().mousePressEvent(event)
+
+    def startDrag(self, supported: Qt.DropAction) -> None:
+        """Drag the cell that was pressed: by its column one sees whether it is a partner or the whole row."""
+        if self._parts.flags(self._pressed) & Qt.ItemFlag.ItemIsDragEnabled:
+            drag = QDrag(self)
+            drag.setMimeData(self._parts.mimeData([self._pressed]))
+            drag.exec(supported, self.defaultDropAction())
+
+    @contextmanager
+    def _choosing(self) -> Iterator[None]:
+        """Let rows be as the user chooses them while Qt goes through an event: it makes several changes."""
+        self._chooses = True
+        try:
+            yield
+        finally:
+            self._chooses = False
+
     @Slot()
     def follow(self) -> None:
-        """Be on the row of the part that is worked on."""
-        link = self._session.document.link
-        with QSignalBlocker(self.selectionModel()):
-            column = max(self.currentIndex().column(), NAME)
-            self.setCurrentIndex(self._parts.index(self._parts.row(link), column))
+        """Be on the row of the part that is worked on; more rows that are chosen stay so."""
+        row = self._parts.row(self._session.document.link)
+        if not (self._chooses or self._session.selection.links):
+            with QSignalBlocker(self.selectionModel()):
+                column = max(self.currentIndex().column(), NAME)
+                self.setCurrentIndex(self._parts.index(row, column))
         self.viewport().update()
 
 

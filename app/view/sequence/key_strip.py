@@ -4,6 +4,7 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QColor, QContextMenuEvent, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QApplication, QMenu, QSizePolicy, QToolTip, QWidget
 
+from app.model.selection import Selection
 from app.model.sequence import Sequence
 from app.session import Session
 from app.view.commands.actions import Actions
@@ -111,7 +112,7 @@ class KeyStrip(QWidget):
         step = self._session.document.step
         if shape not in (step, step + 1):
             self._session.show_step(shape if shape < step else shape - 1)
-        self._session.work_on("source" if shape == self._session.document.step else "target")
+        self._session.choose(Selection("source" if shape == self._session.document.step else "target"))
 
     def _drop(self, shape: int, slot: int) -> None:
         to = slot if slot <= shape else slot - 1

@@ -11,6 +11,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QLabel, QLineEdit, QMessageBox, QWidget
 
+from app.model.selection import Selection
 from app.view.files.remembered import recent_files
 from app.view.files.shape_chooser import ShapeChooser, ShapeList
 from tests.app.driver import CONTROL, SQUARE, TRIANGLE, Driver, name_file
@@ -132,7 +133,7 @@ def test_leaving_the_chooser_changes_nothing(driver: Driver) -> None:
 def test_a_single_shape_goes_to_the_canvas_last_worked_on_and_is_seen_whole(driver: Driver) -> None:
     driver.draw("source", SQUARE)
     driver.draw("target", TRIANGLE)
-    driver.session.work_on("target")
+    driver.session.choose(Selection("target"))
     import_file(driver, "heart.svg")
     driver.wait(lambda: driver.session.undoes == "Import shapes")
     assert driver.corners("source") == [list(corner) for corner in SQUARE]

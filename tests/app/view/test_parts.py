@@ -290,3 +290,36 @@ def test_star_pieces_and_skeletons_of_parts_with_holes_are_shown(face: Driver, s
         assert one.pixelColor(x, y) == other.pixelColor(x, y)  # a hole stays empty
     face.window.actions_table[switch].trigger()
     assert [view.grab().toImage() for view in views] == before
+
+
+def choose_rows(driver: Driver, *rows: int) -> None:
+    """Click rows of the list, with Control from the second on."""
+    view = table(driver)
+    for number, row in enumerate(rows):
+        place = view.visualRect(view.model().index(row, NAME)).center() + QPoint(20, 0)
+        QTest.mouseClick(view.viewport(), LEFT, CONTROL if number else Qt.KeyboardModifier.NoModifier, place)
+
+
+def test_parts_chosen_in_the_list_are_copied_cut_and_pasted_together(face: Driver) -> None:
+    face.window.actions_table["parts"].trigger()
+    choose_rows(face, 0, 1)  # both eyes
+    assert face.session.selection.links == {1, 2}
+    face.window.actions_table["cut"].trigger()
+    assert face.document.shape("source").rings == (FACE,)
+    assert len(face.document.shape("target")) == 3
+    face.window.actions_table["paste"].trigger()
+    assert set(face.document.shape("source").rings) == {FACE, LEFT_EYE, RIGHT_EYE}
+    assert set(ends(face)) == {(0, 0), (1, 1), (2, 2)}  # what is put back finds its partners
+    assert face.session.undoes == "Paste shape"
+    face.session.undo()
+    face.session.undo()
+    assert len(face.document.shape("source")) == 3
+
+
+def test_a_click_in_the_list_chooses_one_part_again(face: Driver) -> None:
+    face.window.actions_table["parts"].trigger()
+    choose_rows(face, 0, 1, 2)
+    assert face.session.selection.links == {0, 1, 2}
+    choose_rows(face, 1)
+    assert not face.session.selection.links
+    assert face.document.link == 1

@@ -10,6 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QComboBox, QDialogButtonBox, QLabel, QSlider, QWidget
 
 from app.model import placing
+from app.model.selection import Selection
 from app.view.pictures.trace_dialog import TraceDialog
 from starskel.files.picture import Picture
 from starskel.files.raster import png_of
@@ -146,7 +147,7 @@ def test_what_is_traced_takes_the_place_of_the_shape_and_is_paired_anew(pictured
     pictured.draw_both()
     pictured.mark(SQUARE[0], SQUARE[0])
     pictured.session.choose_tool("picture")
-    pictured.session.work_on("source")
+    pictured.session.choose(Selection("source"))
 
     def every_part(dialog: TraceDialog) -> None:
         boxes(dialog)[0].setChecked(True)

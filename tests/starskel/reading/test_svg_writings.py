@@ -9,6 +9,7 @@ from app.model.svg_outline import outline_svg
 from starskel.outline import signed_areas
 from starskel.reading.curves import flattened
 from starskel.reading.readers import read_content
+from starskel.shapes.shape import Shape
 
 REACH = 0.5522847498
 QUARTER = np.array([(1.0, 0.0), (1.0, REACH), (REACH, 1.0), (0.0, 1.0)])
@@ -26,7 +27,9 @@ def only(content):
 
 def test_what_the_clipboard_gets_comes_back():
     ring = np.array([(0.0, 0.0), (10.5, -3.25), (7.125, 12.0)])
-    np.testing.assert_allclose(np.ptp(ring_of(outline_svg(ring)), axis=0), np.ptp(ring, axis=0), atol=1e-6)
+    np.testing.assert_allclose(
+        np.ptp(ring_of(outline_svg(Shape([ring]))), axis=0), np.ptp(ring, axis=0), atol=1e-6
+    )
 
 
 @pytest.mark.parametrize(
