@@ -44,10 +44,14 @@ class Selection:
         return Selection(side, self.on(side) | frozenset(vertices))
 
     def after(self, old: Document, new: Document) -> "Selection":
-        """Give what remains selected after undo or redo: nothing where vertices came or went."""
-        if len(old.vertices(self.side)) == len(new.vertices(self.side)):
-            return self
-        return Selection(self.side)
+        """Give what remains selected after undo or redo: nothing of another part, or of other vertices."""
+        same = _worked_on(old, self.side) == _worked_on(new, self.side)
+        return self if same else Selection(self.side)
+
+
+def _worked_on(document: Document, side: Side) -> tuple[int, int | None, int]:
+    """Tell of the part worked on which it is, and how many vertices it has."""
+    return document.shape_on(side), document.part(side), len(document.vertices(side))
 
 
 def at_places(document: Document, side: Side, places: Floats) -> Selection:

@@ -3,6 +3,7 @@
 import argparse
 import re
 from pathlib import Path
+from typing import Any
 
 from starskel.blending import METHODS
 from starskel.export.formats import FORMATS, LAYOUTS
@@ -184,7 +185,23 @@ def _add_texts(parser: argparse.ArgumentParser) -> None:
 def _add_methods(
     parser: argparse.ArgumentParser, words: str = "only this method; may be given again"
 ) -> None:
-    parser.add_argument("--method", action="append", choices=METHODS, help=words)
+    parser.add_argument("--method", action=_Another, choices=METHODS, help=words)
+
+
+class _Another(argparse.Action):
+    """Takes one value more, which was not given before."""
+
+    def __call__(
+        self,
+        parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,
+        values: Any,
+        option_string: str | None = None,
+    ) -> None:
+        before = getattr(namespace, self.dest) or []
+        if values in before:
+            raise argparse.ArgumentError(self, f"{values} is given twice")
+        setattr(namespace, self.dest, [*before, values])
 
 
 def add_times(parser: argparse.ArgumentParser, count: int = 6) -> None:
@@ -245,6 +262,8 @@ def _add_motion(group: argparse._ArgumentGroup) -> None:
 
 def _methods(text: str) -> tuple[str, ...]:
     methods = tuple(text.split(","))
+    if len(set(methods)) < len(methods):
+        raise argparse.ArgumentTypeError("a method is given twice")
     for method in methods:
         if method not in METHODS:
             raise argparse.ArgumentTypeError(f"invalid choice: {method!r} (choose from {', '.join(METHODS)})")

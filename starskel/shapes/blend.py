@@ -177,7 +177,11 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     chosen = target if isinstance(target, str) else method
     if chosen not in METHODS:
         raise UnknownMethod(f'there is no method "{chosen}"', "choose one of " + ", ".join(METHODS))
-    if not isinstance(source, ShapeCorrespondence):
+    if isinstance(source, ShapeCorrespondence):
+        given = target is not None and not isinstance(target, str)
+        if given or marks or pairing is not None or places is not None:
+            raise StarskelError("a pair has its target and its marks already", "give the pair alone")
+    else:
         if target is None or isinstance(target, str):
             raise StarskelError("the target is missing", "give two shapes, or a pair made by match")
         source = match(

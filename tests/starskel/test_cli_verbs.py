@@ -315,3 +315,14 @@ def test_an_interruption_ends_with_status_130(monkeypatch):
     monkeypatch.setattr("starskel.command.methods.blend", interrupted)
     assert main(["render", COAST, "-o", "a.svg"]) == 130
     assert list(Path().iterdir()) == []
+
+
+@pytest.mark.parametrize("verb", ["render", "measure"])
+def test_a_method_given_twice_is_refused(
+    verb: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = ("-o", str(tmp_path / "out.svg")) if verb == "render" else ()
+    with pytest.raises(SystemExit) as ended:
+        main([verb, ARM, "--method", "vertex", "--method", "vertex", *out])
+    assert ended.value.code == 2
+    assert "given twice" in capsys.readouterr().err

@@ -185,3 +185,13 @@ def test_shapely_goes_in_by_itself(given):
 def test_a_report_says_what_is_proven():
     assert starskel.measure(blend_of("i-j", "certified"), 11).proven
     assert not starskel.measure(blend_of("i-j", "stitched"), 11).proven
+
+
+@pytest.mark.parametrize(
+    "more", [{"marks": [[(0, 0)]]}, {"pairing": [(0, 0)]}, {"places": {}}, {"target": Shape(FACE)}]
+)
+def test_a_pair_of_shapes_is_given_alone(more):
+    shape = Shape(FACE)
+    pair = starskel.match(shape, shape)
+    with pytest.raises(StarskelError, match="has its target and its marks already"):
+        starskel.blend(pair, **more)
