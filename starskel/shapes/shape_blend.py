@@ -57,7 +57,9 @@ class ShapeBlend:
     def improvements(
         self, progress: Progress | None = None, should_stop: ShouldStop | None = None
     ) -> Iterator["ShapeBlend"]:
-        """Go on improving the parts that are not settled; give ever better blends, the last one settled.
+        """Go on improving the parts that are not settled, and give ever better blends.
+
+        The last is what the blend is when it is settled.
 
         Parameters
         ----------
