@@ -134,7 +134,7 @@ class Result:
         pair = self.blend.pair
         return pair.outer if isinstance(pair, ShapeCorrespondence) else (-1,)
 
-    @property
+    @cached_property
     def box(self) -> Floats:
         """The lower left and the upper right corner of all frames, (2, 2)."""
         low = np.min([ring.min(axis=(0, 1)) for ring in self.samples], axis=0)
