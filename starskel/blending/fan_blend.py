@@ -2,7 +2,6 @@
 
 from abc import abstractmethod
 from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 
@@ -41,7 +40,7 @@ class FanBlend(PieceBlend):
     ) -> None:
         super().__init__(decomposition, skeleton_of(decomposition, root))
         self._backwards = precedes(decomposition.target, decomposition.source)
-        forwards = _exchanged(decomposition) if self._backwards else decomposition
+        forwards = decomposition.exchanged if self._backwards else decomposition
         watched = task or Task()
         self._pair = forwards.pair
         self._fans = with_better_hubs(fans_of(forwards, watched), len(forwards.source), watched)
@@ -75,16 +74,3 @@ class FanBlend(PieceBlend):
 
     def _placed(self, ts: Floats) -> Floats:
         return placed(as_points(self._motion(ts)), ts, self._pair)
-
-
-def _exchanged(decomposition: Decomposition) -> Decomposition:
-    """Call the source target, and the target source."""
-    pair = decomposition.pair
-    return replace(
-        decomposition,
-        pair=replace(pair, source=pair.target, target=pair.source),
-        source=decomposition.target,
-        target=decomposition.source,
-        source_origins=decomposition.target_origins,
-        target_origins=decomposition.source_origins,
-    )

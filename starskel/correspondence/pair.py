@@ -40,5 +40,17 @@ class Correspondence:
         rows[[*(start - 1 for start in self.starts[1:]), -1]] = self.starts
         return rows
 
+    @property
+    def exchanged(self) -> "Correspondence":
+        """The same pair, with the target as the source."""
+        return Correspondence(
+            source=self.target,
+            target=self.source,
+            marks=tuple((j, i) for i, j in self.marks),
+            source_vertices=self.target_vertices,
+            target_vertices=self.source_vertices,
+            starts=self.starts,
+        )
+
     def __len__(self) -> int:
         return len(self.source)

@@ -36,6 +36,18 @@ class Decomposition:
     source_origins: Floats
     target_origins: Floats
 
+    @property
+    def exchanged(self) -> "Decomposition":
+        """The same pieces of the same pair, with the target as the source."""
+        return Decomposition(
+            pair=self.pair.exchanged,
+            source=self.target,
+            target=self.source,
+            pieces=self.pieces,
+            source_origins=self.target_origins,
+            target_origins=self.source_origins,
+        )
+
     def piece_at(self, place: tuple[float, float]) -> int:
         """Give the piece whose star origin is nearest to a place of the source."""
         return int(np.hypot(*(self.source_origins - place).T).argmin())

@@ -1,6 +1,5 @@
 """The certified blend: no frame crosses itself, for any t; near the stitched blend, or the same."""
 
-from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -54,11 +53,7 @@ class CertifiedBlend(Blend):
         stitched = StitchedBlend(decomposition, root, watched.part(0, 0.4))
         watched = watched.part(0.4, 1)
         if _comes_second(self.pair.source, self.pair.target):
-            pair = replace(self.pair, source=self.pair.target, target=self.pair.source)
-            exchanged = replace(
-                decomposition, pair=pair, source=decomposition.target, target=decomposition.source
-            )
-            keys, self.how = path(exchanged, lambda ts: stitched.frames(1 - ts), watched)
+            keys, self.how = path(decomposition.exchanged, lambda ts: stitched.frames(1 - ts), watched)
             self.key_times = 1 - np.array([key.t for key in keys[::-1]])
             self.keys = np.stack([key.frame for key in keys[::-1]])
         else:

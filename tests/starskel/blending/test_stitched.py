@@ -1,5 +1,3 @@
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
@@ -13,8 +11,8 @@ from starskel.errors import Cancelled
 from starskel.outline import cross_themselves, signed_areas
 from starskel.polar import PolarVectors
 from starskel.task import Task
-from tests.families import subdivided, turned, two_opt
-from tests.starskel.blending.cases import CASES, decomposition_of, size_of
+from tests.families import turned
+from tests.starskel.blending.cases import CASES, decomposition_of
 
 TIMES = np.linspace(0, 1, 103)
 
@@ -180,50 +178,3 @@ def test_only_what_changes_its_shape_is_distorted():
     assert by_edge[1, 2] == pytest.approx(1)
     assert by_edge[0, 3] > 1
     assert 1 < by_edge[0, 2] < by_edge[0, 3]
-
-
-@pytest.mark.parametrize("name", ["run-walk", "random-9-2", "arms-over-under"])
-def test_exchanging_the_shapes_of_a_decomposition_is_exact(name):
-    there = decomposition_of(name)
-    back = replace(
-        there,
-        pair=replace(there.pair, source=there.pair.target, target=there.pair.source),
-        source=there.target,
-        target=there.source,
-        source_origins=there.target_origins,
-        target_origins=there.source_origins,
-    )
-    times = np.array([0.0, 0.25, 0.5, 1.0])
-    np.testing.assert_array_equal(StitchedBlend(there).frames(times), StitchedBlend(back).frames(1 - times))
-
-
-@pytest.mark.parametrize("angle", [0.5, -2.0, 3.1])
-def test_a_turned_copy_with_straight_runs_turns_rigidly(angle):
-    """Degenerate triangles must not bend anything."""
-    ring = subdivided(two_opt(7, 2), 5)
-    decomposition = decompose(match(ring, turned(ring, angle), [(k, k) for k in range(len(ring))]))
-    frames = StitchedBlend(decomposition).frames(TIMES)
-    for t, frame in zip(TIMES, frames, strict=True):
-        unturned = turned(frame, -t * angle)
-        np.testing.assert_allclose(unturned - unturned[0], ring - ring[0], atol=1e-8)
-
-
-@pytest.mark.parametrize(
-    ("source", "target", "mark"),
-    [
-        (two_opt(19, 14, grid=6), two_opt(19, 14, grid=6), (0, 1)),
-        (subdivided(two_opt(8, 39, grid=5), 3), subdivided(two_opt(6, 48, grid=5), 3), (0, 0)),
-    ],
-    ids=["a fan's triangle vanishes in the source", "all lie on lines in the target"],
-)
-def test_triangles_that_lose_their_area_ask_for_nothing_at_that_end(source, target, mark):
-    decomposition = decompose(match(source, target, [mark]))
-    errors = StitchedBlend(decomposition).errors
-    assert np.abs(errors).max() < 1e-12
-
-
-def test_ends_are_met_before_they_are_corrected(shape_pair):
-    """The correction that makes the ends exact takes away rounding, nothing else."""
-    decomposition = decompose(match(shape_pair.source, shape_pair.target, shape_pair.marks))
-    blend = StitchedBlend(decomposition)
-    assert np.abs(blend.errors).max() < 1e-9 * size_of(decomposition.pair)
