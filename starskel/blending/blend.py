@@ -1,5 +1,6 @@
 """Choose a method by its name, and prepare it."""
 
+import operator
 from collections.abc import Callable, Iterable
 from typing import overload
 
@@ -97,12 +98,15 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
         If there is no such method.
     InvalidPolygon, InvalidMarks
         As by `match`.
+    StarskelError
+        If turns is no int.
     Cancelled
         If ``should_stop`` answered True.
     """
     chosen = target if isinstance(target, str) else method
     if chosen not in METHODS:
         raise UnknownMethod(f'there is no method "{chosen}"', "choose one of " + ", ".join(METHODS))
+    turns = checked_turns(turns)
     task = Task(progress, should_stop)
     task.reach(0)
     pair = _pair(source, None if isinstance(target, str) else target, marks, should_stop)
@@ -123,6 +127,20 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     prepared = whole[chosen]()
     task.reach(1)
     return prepared
+
+
+def checked_turns(given: int) -> int:
+    """Give whole turns as an int.
+
+    Raises
+    ------
+    StarskelError
+        If they are none.
+    """
+    try:
+        return operator.index(given)
+    except TypeError:
+        raise StarskelError(f"turns is {given!r}, and no int", "give whole turns, such as 1 or -2") from None
 
 
 def _pair(

@@ -9,6 +9,7 @@ import shapely
 
 from starskel.blending import METHODS
 from starskel.blending.blend import blend as blend_polygons
+from starskel.blending.blend import checked_turns
 from starskel.blending.frames import Blend, row_masses
 from starskel.correspondence import Correspondence, PolygonLike
 from starskel.decomposition.pieces import Decomposition
@@ -151,7 +152,8 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     InvalidPolygon, InvalidMarks
         As by `match`.
     StarskelError
-        Where a region is too narrow for bridges to its holes; by "certified" where rings meet on the way.
+        If turns is no int; where a region is too narrow for bridges to its holes; by "certified" where rings
+        meet on the way.
     Cancelled
         If ``should_stop`` answered True.
     """
@@ -192,6 +194,7 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
             places=places,
             should_stop=should_stop,
         )
+    turns = checked_turns(turns)
     task = Task(progress, should_stop)
     task.reach(0)
     known = _checked_roots(source, roots or {})

@@ -84,7 +84,8 @@ def checked_pairing(source: Shape, target: Shape, pairing: Iterable[Link]) -> tu
     Raises
     ------
     InvalidMarks
-        Where a link names a ring that is not there, pairs an outline with a hole, or a ring is in no link.
+        Where a link names a ring that is not there, pairs an outline with a hole or stands twice, or a ring
+        is in no link, or a hole in several.
     """
     links = tuple(_as_link(link) for link in pairing)
     for side, (name, shape) in enumerate((("source", source), ("target", target))):
@@ -95,6 +96,7 @@ def checked_pairing(source: Shape, target: Shape, pairing: Iterable[Link]) -> tu
                     f"the pairing names ring {ring} of the {name}, which has {len(shape)}",
                     f"give one from 0 to {len(shape) - 1}",
                 )
+        _check_holes(name, shape, named)
         missing = sorted(set(range(len(shape))) - set(named))
         if missing:
             alone = (missing[0], None) if side == 0 else (None, missing[0])
@@ -108,7 +110,19 @@ def checked_pairing(source: Shape, target: Shape, pairing: Iterable[Link]) -> tu
                 f"rings {i} and {j} are paired, but one is an outline and the other a hole",
                 "pair outlines with outlines and holes with holes",
             )
+    twice = next((link for link in links if links.count(link) > 1), None)
+    if twice is not None:
+        raise InvalidMarks(f"the pairing has {twice} twice", "give it once")
     return links
+
+
+def _check_holes(name: str, shape: Shape, named: Sequence[int]) -> None:
+    several = sorted({ring for ring in named if shape.outer[ring] >= 0 and named.count(ring) > 1})
+    if several:
+        raise InvalidMarks(
+            f"ring {several[0]} of the {name}, a hole, is in several pairs: only outlines can be cut",
+            "leave it in one of them",
+        )
 
 
 def _as_link(given: Iterable[int | None]) -> Link:

@@ -124,6 +124,13 @@ def test_whole_turns_are_made_by_all_parts():
     np.testing.assert_allclose(dot - stem, (0, -55), atol=1e-6)
 
 
+@pytest.mark.parametrize("turns", [0.5, np.nan, "1", None])
+@pytest.mark.parametrize("given", [Shape(I), I[0]])
+def test_turns_are_whole(given, turns):
+    with pytest.raises(StarskelError, match="and no int; give whole turns"):
+        starskel.blend(given, given, turns=turns)
+
+
 def test_frames_are_lists_of_rings():
     blend = blend_of("B-8", "vertex")
     frames = blend.frames([0, 0.5])
