@@ -8,7 +8,7 @@ from typing import Literal
 from app.compute import Result
 from app.model.sequence import USUAL
 from starskel.easing import Easing
-from starskel.export import formats, morphs
+from starskel.export import formats, layouts, morphs
 from starskel.export.film import Film, Scene, Track
 from starskel.export.settings import Settings, even_times
 from starskel.export.write import write
@@ -24,7 +24,7 @@ from starskel.task import UNWATCHED, Task
 
 Layout = Literal["row", "frame", "pages", "sheet", "animation", "morph", "numbers"]
 
-DRAWN: dict[Layout, formats.Layout] = {
+DRAWN: dict[Layout, layouts.Layout] = {
     "row": "row",
     "frame": "frames",
     "pages": "frames",

@@ -43,6 +43,17 @@ class StarskelError(ValueError):
         What is wrong, and where.
     mend : str
         How to mend it.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> try:
+    ...     starskel.Polygon([(0, 0), (1, 0)])
+    ... except starskel.StarskelError as error:
+    ...     print(error.what)
+    ...     print(error.mend)
+    a polygon of 2 points
+    give at least 3 vertices
     """
 
     def __init__(self, what: str, mend: str = "") -> None:
@@ -60,6 +71,15 @@ class InvalidPolygon(StarskelError):
         The vertices concerned, as indices of the points given.
     place : tuple of float or None
         Coordinates of the fault, where it has a place.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> try:
+    ...     starskel.Polygon([(0, 0), (2, 2), (2, 0), (0, 2)])
+    ... except starskel.InvalidPolygon as error:
+    ...     print(error.vertices, error.place)
+    (0, 1, 2, 3) (1.0, 1.0)
     """
 
     def __init__(
@@ -81,6 +101,16 @@ class InvalidMarks(StarskelError):
     ----------
     marks : tuple of (int, int)
         The marks in conflict, as given.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> try:
+    ...     starskel.match(square, square, marks=[(0, 0), (1, 2), (2, 1)])
+    ... except starskel.InvalidMarks as error:
+    ...     print(error.marks)
+    ((0, 0), (2, 1))
     """
 
     def __init__(self, what: str, mend: str, marks: Sequence[tuple[int, int]] = ()) -> None:
@@ -89,19 +119,60 @@ class InvalidMarks(StarskelError):
 
 
 class NoDecomposition(StarskelError):
-    """The pair has no compatible star decomposition without Steiner vertices."""
+    """The pair has no compatible star decomposition without Steiner vertices.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> hook = [(0, 0), (6, 0), (6, 5), (3, 5), (3, 4), (5, 4), (5, 1), (0, 1)]
+    >>> pair = starskel.match(hook, hook, marks=[(0, 1), (4, 5)])
+    >>> try:
+    ...     starskel.decompose(pair, steiner=False)
+    ... except starskel.NoDecomposition as error:
+    ...     print(error.mend)
+    allow Steiner vertices, or change the marks
+    """
 
 
 class UnknownMethod(StarskelError):
-    """There is no blending method of that name."""
+    """There is no blending method of that name.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> try:
+    ...     starskel.blend(square, square, method="morph")
+    ... except starskel.UnknownMethod as error:
+    ...     print(error.what)
+    there is no method "morph"
+    """
 
 
 class InvalidFile(StarskelError):
-    """A file cannot be read, is damaged, or does not hold what was asked of it."""
+    """A file cannot be read, is damaged, or does not hold what was asked of it.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> from starskel.reading.readers import read_shapes
+    >>> read_shapes(Path("notes.txt"))  # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    starskel.errors.InvalidFile: notes.txt ends in ".txt"; give a file that ends in .svg or .geojson or ...
+    """
 
 
 class Cancelled(StarskelError):
-    """The caller's ``should_stop`` answered True."""
+    """The caller's ``should_stop`` answered True.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> starskel.blend(square, square, should_stop=lambda: True)
+    Traceback (most recent call last):
+    starskel.errors.Cancelled: cancelled
+    """
 
     def __init__(self) -> None:
         super().__init__("cancelled")

@@ -34,6 +34,20 @@ class Polygon:
     ------
     InvalidPolygon
         Naming the vertices and the place of the fault.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> clockwise = starskel.Polygon([(0, 0), (0, 1), (2, 1), (2, 0)])
+    >>> clockwise.area, clockwise.vertices.tolist()
+    (2.0, [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]])
+    >>> clockwise.vertex_of(1)  # the point that was given as the second
+    3
+    >>> try:
+    ...     starskel.Polygon([(0, 0), (2, 2), (2, 0), (0, 2)])
+    ... except starskel.InvalidPolygon as error:
+    ...     print(error.what)
+    edges 0-1 and 2-3 cross or touch at (1, 1)
     """
 
     def __init__(self, points: "ArrayLike | shapely.Geometry | Polygon") -> None:

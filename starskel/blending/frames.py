@@ -33,6 +33,20 @@ class Blend(ABC):
         vertices move otherwise.
     how : str or None
         How the frames came about, where the method has several ways; None elsewhere.
+    settled : bool
+        Whether `improvements` has no better blend to come.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> square, kite = [(0, 0), (2, 0), (2, 2), (0, 2)], [(1, 0), (3, 2), (1, 5), (-1, 2)]
+    >>> blend = starskel.blend(square, kite, marks=[(0, 0)])
+    >>> blend.at(1).tolist()
+    [[1.0, 0.0], [3.0, 2.0], [1.0, 5.0], [-1.0, 2.0]]
+    >>> blend.frames([0, 0.25, 0.5]).shape
+    (3, 4, 2)
+    >>> len(blend.decomposition.pieces)
+    1
     """
 
     key_times: Floats | None = None
@@ -58,6 +72,11 @@ class Blend(ABC):
     def frames(self, ts: ArrayLike) -> Floats:
         """Give the frames at each of k times, a (k, n, 2) array.
 
+        Parameters
+        ----------
+        ts : (k,) array-like
+            Numbers from 0 to 1, in any order.
+
         Raises
         ------
         StarskelError
@@ -69,7 +88,7 @@ class Blend(ABC):
         return np.concatenate(parts) if parts else np.empty((0, len(self.pair), 2))
 
     def negative_lengths(self, ts: ArrayLike) -> NDArray[np.bool_]:
-        """Tell at which of the times the method had to give some edge a negative length."""
+        """Tell at which of the times `ts` the method had to give some edge a negative length."""
         return np.zeros(len(checked_times(ts)), dtype=np.bool_)
 
     def improvements(

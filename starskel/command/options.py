@@ -6,7 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from starskel.blending import METHODS
-from starskel.export.formats import FORMATS, LAYOUTS
+from starskel.export.formats import FORMATS
+from starskel.export.layouts import LAYOUTS
 
 _FILE = "a project of the editor, or a file of pairs (polygon-pairs/1), of shapes too (polygon-multi-pairs/1)"
 _DRAWING = (

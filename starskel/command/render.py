@@ -7,7 +7,8 @@ from starskel.blending import COMPARED
 from starskel.command.films import opened_film
 from starskel.errors import InvalidFile
 from starskel.export.film import Film
-from starskel.export.formats import Layout, format_for, layouts_of
+from starskel.export.formats import format_for, layouts_of
+from starskel.export.layouts import Layout
 from starskel.export.settings import Settings, even_times
 from starskel.export.write import write
 from starskel.files.documents import document_text

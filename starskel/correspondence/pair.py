@@ -24,6 +24,14 @@ class Correspondence:
     starts : tuple of int
         The rows at which rings begin: one ring for a polygon; for a region with holes the outline, and behind
         it the holes, clockwise.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> square, triangle = [(0, 0), (2, 0), (2, 2), (0, 2)], [(0, 0), (2, 0), (1, 2)]
+    >>> pair = starskel.match(square, triangle, marks=[(0, 0)])
+    >>> len(pair), pair.marks
+    (4, ((0, 0),))
     """
 
     source: Floats

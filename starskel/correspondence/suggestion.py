@@ -45,6 +45,14 @@ def suggest_marks(
         If `count` is negative.
     Cancelled
         If ``should_stop`` answered True.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> straight = [(0, 0), (4, 0), (8, 0), (8, 1), (4, 1), (0, 1)]
+    >>> bent = [(0, 0), (4, 0), (7, 3), (6.3, 3.7), (4, 1.5), (0, 1)]
+    >>> starskel.suggest_marks(straight, bent, count=3)
+    [(0, 0), (2, 2)]
     """
     if count < 0:
         raise StarskelError(f"{count} marks cannot be suggested", "give 0 or more")

@@ -63,6 +63,17 @@ def decompose(
         If there is no algorithm of that name.
     Cancelled
         If `should_stop` answered True.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> hook = [(0, 0), (6, 0), (6, 5), (3, 5), (3, 4), (5, 4), (5, 1), (0, 1)]
+    >>> pair = starskel.match(hook, hook, marks=[(0, 0)])
+    >>> decomposition = starskel.decompose(pair)
+    >>> decomposition.pieces
+    ((0, 1, 6, 7), (1, 2, 3, 4, 5, 6))
+    >>> decomposition.source_origins.tolist()
+    [[2.75, 0.5], [5.5, 4.5]]
     """
     if algorithm not in ALGORITHMS:
         raise StarskelError(f"there is no algorithm {algorithm!r}", f"take one of {', '.join(ALGORITHMS)}")

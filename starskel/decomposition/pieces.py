@@ -27,6 +27,16 @@ class Decomposition:
         For each piece the rows of its vertices, counter-clockwise.
     source_origins, target_origins : (k, 2) arrays
         A star point of each piece, corresponding to each other.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> hook = [(0, 0), (6, 0), (6, 5), (3, 5), (3, 4), (5, 4), (5, 1), (0, 1)]
+    >>> decomposition = starskel.decompose(starskel.match(hook, hook, marks=[(0, 0)]))
+    >>> decomposition.source[list(decomposition.pieces[0])].tolist()
+    [[0.0, 0.0], [6.0, 0.0], [5.0, 1.0], [0.0, 1.0]]
+    >>> decomposition.piece_at((1, 0.5))
+    0
     """
 
     pair: Correspondence

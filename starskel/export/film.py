@@ -10,7 +10,7 @@ import numpy as np
 
 from starskel.blending.frames import Blend
 from starskel.easing import EVEN, Easing
-from starskel.errors import InvalidFile, told
+from starskel.errors import InvalidFile, StarskelError, told
 from starskel.export.settings import Settings
 from starskel.images.morph import SOLID, ImageMorph
 from starskel.images.placed import Pixels, PlacedImage
@@ -54,6 +54,14 @@ class Scene:
         Which of several steps it is; "" where there is but one.
     pictures : callable
         Gives the pictures of source and target, each where there is one; asked when they are to be seen.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> from starskel.export.film import Scene
+    >>> square, kite = [(0, 0), (2, 0), (2, 2), (0, 2)], [(1, 0), (3, 2), (1, 5), (-1, 2)]
+    >>> Scene(starskel.blend(square, kite, marks=[(0, 0)]), length=2.0).blend.at(0).tolist()
+    [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]
     """
 
     blend: Blend | ShapeBlend
@@ -83,11 +91,20 @@ class Scene:
         return ImageMorph(self.blend, source, target, solid=SOLID)
 
     def row(self, method: str, ts: Sequence[float], shown: Shown) -> Row:
-        """Give the row of a sheet."""
+        """Give the row of a sheet.
+
+        Raises
+        ------
+        StarskelError
+            If nothing was measured.
+        """
         name = ", ".join(filter(None, (method, self.name)))
         frames = self.frames(ts, shown)
         if self.report is None:
-            raise ValueError("a sheet of a scene that was not measured")
+            raise StarskelError(
+                f'a sheet tells how good a blend is, but "{name}" was not measured',
+                "give its scene the report of `measure`",
+            )
         return Row.of(name, self.report, frames)
 
 
@@ -101,6 +118,18 @@ class Track:
         The method, or what else made it.
     scenes : tuple of Scene
         One after another.
+
+    Examples
+    --------
+    Two scenes of which the second takes three times as long:
+
+    >>> import starskel
+    >>> from starskel.export.film import Scene, Track
+    >>> square, kite = [(0, 0), (2, 0), (2, 2), (0, 2)], [(1, 0), (3, 2), (1, 5), (-1, 2)]
+    >>> there = starskel.blend(square, kite, marks=[(0, 0)])
+    >>> back = starskel.blend(kite, square, marks=[(0, 0)])
+    >>> Track("stitched", (Scene(there), Scene(back, length=3.0))).bounds
+    (0.0, 0.25, 1.0)
     """
 
     name: str
@@ -144,6 +173,18 @@ class Film:
         The methods; all go the same steps.
     settings : Settings
         How it is to be drawn.
+
+    Examples
+    --------
+    `starskel.export.write.write` makes files of it; here the drawings themselves:
+
+    >>> import starskel
+    >>> from starskel.export.film import Film, Scene, Track
+    >>> from starskel.export.settings import Settings, even_times
+    >>> square, kite = [(0, 0), (2, 0), (2, 2), (0, 2)], [(1, 0), (3, 2), (1, 5), (-1, 2)]
+    >>> track = Track("stitched", (Scene(starskel.blend(square, kite, marks=[(0, 0)])),))
+    >>> len(list(Film("Kite", (track,), Settings("frames", even_times(3))).drawings()))
+    3
     """
 
     name: str

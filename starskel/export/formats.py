@@ -4,19 +4,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, Protocol, cast
+from typing import TYPE_CHECKING, Protocol, cast
 
 from starskel.errors import InvalidFile, either, told
+from starskel.export.layouts import PICTURES, Layout
 
-if TYPE_CHECKING:
+if TYPE_CHECKING:  # the command's words are known before anything is drawn
     from starskel.export.film import Film
     from starskel.task import Task
-
-Layout = Literal["row", "sheet", "frames", "animation", "numbers"]
-
-LAYOUTS: tuple[Layout, ...] = ("row", "sheet", "frames", "animation", "numbers")
-
-PICTURES: tuple[Layout, ...] = ("row", "sheet", "frames")
 
 
 class Writer(Protocol):

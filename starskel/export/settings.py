@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 from starskel.blending.frames import checked_times
 from starskel.errors import StarskelError
-from starskel.export.formats import Layout
+from starskel.export.layouts import Layout
 from starskel.sheet.keyframe import Shown
 from starskel.sheet.style import Look
 
@@ -37,6 +37,20 @@ class Settings:
     tolerance : float
         In formats that move vertices straight between keys, how far one may stray from its path, as a part of
         the longer side of the box of all frames.
+
+    Raises
+    ------
+    StarskelError
+        If a number is out of its bounds, or there is no time to draw.
+
+    Examples
+    --------
+    >>> from starskel.export.settings import Settings, even_times
+    >>> from starskel.sheet.style import Look
+    >>> Settings("row", even_times(3), look=Look(colours=("#204060",), paper="#ffffff")).times
+    (0.0, 0.5, 1.0)
+    >>> len(Settings("animation", duration=2, rate=30, returning=True).moments)
+    118
     """
 
     layout: Layout
@@ -70,7 +84,14 @@ class Settings:
 
 
 def even_times(count: int) -> tuple[float, ...]:
-    """Give so many moments from 0 to 1, evenly spread."""
+    """Give a `count` of moments from 0 to 1, evenly spread.
+
+    Examples
+    --------
+    >>> from starskel.export.settings import even_times
+    >>> even_times(5)
+    (0.0, 0.25, 0.5, 0.75, 1.0)
+    """
     return tuple(k / (count - 1) for k in range(count))
 
 

@@ -30,6 +30,19 @@ def write(path: Path, film: Film, task: Task = UNWATCHED) -> tuple[Path, ...]:
         If the ending does not go with the layout, or a file cannot be written.
     Cancelled
         If the task is to stop; files written so far stay.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> from tempfile import mkdtemp
+    >>> import starskel
+    >>> from starskel.export.film import Film, Scene, Track
+    >>> from starskel.export.settings import Settings, even_times
+    >>> square, kite = [(0, 0), (2, 0), (2, 2), (0, 2)], [(1, 0), (3, 2), (1, 5), (-1, 2)]
+    >>> scene = Scene(starskel.blend(square, kite, marks=[(0, 0)]))
+    >>> film = Film("Kite", (Track("stitched", (scene,)),), Settings("frames", even_times(3)))
+    >>> [path.name for path in write(Path(mkdtemp()) / "kite.svg", film)]
+    ['kite-0001.svg', 'kite-0002.svg', 'kite-0003.svg']
     """
     paths = paths_of(path, film.settings)
     contents = format_for(path, film.settings.layout).writer.files(film, task)

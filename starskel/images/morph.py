@@ -86,6 +86,18 @@ class ImageMorph:
         If there is no picture.
     Cancelled
         If ``should_stop`` answered True.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import starskel
+    >>> square, kite = [(0, 0), (2, 0), (2, 2), (0, 2)], [(1, 0), (3, 2), (1, 5), (-1, 2)]
+    >>> red = np.full((20, 20, 4), (255, 0, 0, 255), dtype=np.uint8)
+    >>> picture = starskel.PlacedImage.in_box(red, middle=(1, 1), size=(2, 2))
+    >>> morph = starskel.ImageMorph(starskel.blend(square, kite, marks=[(0, 0)]), picture)
+    >>> frames = [morph.at(t, size=64, view=(-1, 0, 3, 5)) for t in (0, 0.5, 1)]
+    >>> frames[1].shape, frames[1][32, 25].tolist()
+    ((64, 51, 4), [255, 0, 0, 255])
     """
 
     def __init__(  # noqa: PLR0913 -- a blend, two pictures and how they are mixed
@@ -198,6 +210,17 @@ def image_morph(  # noqa: PLR0913, PLR0917 -- what is seen, of what, and when
     ------
     StarskelError
         If there is no picture, t is not from 0 to 1, or there is something wrong with the size or the view.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import starskel
+    >>> square, kite = [(0, 0), (2, 0), (2, 2), (0, 2)], [(1, 0), (3, 2), (1, 5), (-1, 2)]
+    >>> red = np.full((20, 20, 4), (255, 0, 0, 255), dtype=np.uint8)
+    >>> picture = starskel.PlacedImage.in_box(red, middle=(1, 1), size=(2, 2))
+    >>> blend = starskel.blend(square, kite, marks=[(0, 0)])
+    >>> starskel.image_morph(blend, picture, t=0.5, size=(64, 80)).shape
+    (80, 64, 4)
     """
     return ImageMorph(blend, source, target, fade=fade, solid=solid).at(t, size, view)
 

@@ -28,6 +28,16 @@ class PlacedImage:
     ------
     StarskelError
         If these are no pixels, too many, or the placement has no area.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import starskel
+    >>> grey = np.full((20, 40, 3), 128, dtype=np.uint8)
+    >>> starskel.PlacedImage(grey).to_document([(0, 0), (40, 20)]).tolist()
+    [[0.0, 20.0], [40.0, 0.0]]
+    >>> starskel.PlacedImage.in_box(grey, middle=(1, 1), size=(4, 2)).to_picture((1, 1)).round(6).tolist()
+    [20.0, 10.0]
     """
 
     def __init__(self, pixels: ArrayLike, placement: ArrayLike | None = None) -> None:

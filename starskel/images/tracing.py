@@ -63,6 +63,16 @@ def trace(  # noqa: PLR0913 -- what is seen, and how much of it
     ------
     StarskelError
         If nothing is found, the outline is too rugged, or a number is out of its range.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import starskel
+    >>> picture = np.zeros((100, 100, 4), dtype=np.uint8)
+    >>> picture[20:80, 20:80] = 255
+    >>> picture[40:60, 40:60] = 0
+    >>> starskel.trace(starskel.PlacedImage(picture))
+    Shape of 1 parts with 1 holes
     """
     _check(level, tolerance)
     chosen = by or usual(image.pixels, level)

@@ -74,6 +74,14 @@ def measure(
         If there are fewer frames, or they are no whole number, or the blend is none.
     Cancelled
         If ``should_stop`` answered True.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> square, kite = [(0, 0), (2, 0), (2, 2), (0, 2)], [(1, 0), (3, 2), (1, 5), (-1, 2)]
+    >>> report = starskel.measure(starskel.blend(square, kite, marks=[(0, 0)]))
+    >>> report.simple, report.crossing_frames
+    (True, ())
     """
     times = np.linspace(0, 1, _checked_count(frames))
     task = Task(progress, should_stop)

@@ -72,6 +72,18 @@ class Report:
     clearance : float or None
         Where the blend is proven simple, the distance that every vertex keeps from all edges that it is no
         end of, at all times; a lower bound, short of the true distance by a tenth at most.
+
+    Examples
+    --------
+    Half a turn by straight ways goes through a point:
+
+    >>> import starskel
+    >>> square = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+    >>> report = starskel.measure(starskel.blend(square, square, marks=[(0, 2)], method="vertex"))
+    >>> report.simple, report.crossing_times
+    (False, (0.5,))
+    >>> report.area_deviation
+    1.0
     """
 
     of: ClassVar[Literal["polygon"]] = "polygon"

@@ -39,6 +39,15 @@ class ShapeReport:
         How much of the parts' area lies on other parts, as a part of the mean of the areas at the ends.
     proven : bool
         Whether `simple` is known for every t: of certified blends, and where a crossing was found.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> frame = starskel.Shape([[(0, 0), (8, 0), (8, 8), (0, 8)], [(2, 2), (6, 2), (6, 6), (2, 6)]])
+    >>> square = starskel.Shape([[(0, 0), (8, 0), (8, 8), (0, 8)]])
+    >>> report = starskel.measure(starskel.blend(frame, square))
+    >>> report.simple, report.holes_inside, report.overlap
+    (True, True, 0.0)
     """
 
     of: ClassVar[Literal["shape"]] = "shape"

@@ -156,6 +156,28 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
         meet on the way.
     Cancelled
         If ``should_stop`` answered True.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> straight = [(0, 0), (4, 0), (8, 0), (8, 1), (4, 1), (0, 1)]
+    >>> bent = [(0, 0), (4, 0), (7, 3), (6.3, 3.7), (4, 1.5), (0, 1)]
+    >>> blend = starskel.blend(straight, bent, marks=[(0, 0), (2, 2)])
+    >>> blend.at(0.5).round(2)[:3].tolist()
+    [[-0.03, -0.04], [3.94, -0.03], [7.63, 1.58]]
+    >>> blend.frames([0, 0.5, 1]).shape
+    (3, 6, 2)
+
+    By another method, of a pair that is matched already:
+
+    >>> starskel.blend(blend.pair, method="vertex").at(0.5)[:3].tolist()
+    [[0.0, 0.0], [4.0, 0.0], [7.5, 1.5]]
+
+    A shape of several rings:
+
+    >>> ring = starskel.Shape([[(0, 0), (8, 0), (8, 8), (0, 8)], [(2, 2), (6, 2), (6, 6), (2, 6)]])
+    >>> [rows.shape for rows in starskel.blend(ring, starskel.Shape([straight])).at(0.5)]
+    [(6, 2), (4, 2)]
     """
     if not (isinstance(source, ShapeCorrespondence) or is_shape(source) or is_shape(target)):
         if pairing is not None or places is not None or roots is not None or not joined:

@@ -63,6 +63,16 @@ class ShapeCorrespondence:
         that stands in several pairs is cut into as many; one beside None is a point in the other shape.
     parts : tuple of PartPair
         The parts, each with its holes.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> frame = starskel.Shape([[(0, 0), (8, 0), (8, 8), (0, 8)], [(2, 2), (6, 2), (6, 6), (2, 6)]])
+    >>> pair = starskel.match(frame, starskel.Shape([[(0, 0), (4, 0), (4, 4), (0, 4)]]))
+    >>> pair.pairing, pair.outer
+    (((0, 0), (1, None)), (-1, 0))
+    >>> [len(ring) for ring in pair.ring_pairs]
+    [4, 4]
     """
 
     source: Shape

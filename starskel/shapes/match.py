@@ -99,6 +99,24 @@ def match(  # noqa: PLR0913 -- all but the first three are seldom given
         Where marks, pairs or places contradict the shapes or each other.
     Cancelled
         If ``should_stop`` answered True.
+
+    Examples
+    --------
+    A triangle has a vertex less than a square. It gets one, on the edge where it is needed:
+
+    >>> import starskel
+    >>> square, triangle = [(0, 0), (2, 0), (2, 2), (0, 2)], [(0, 0), (2, 0), (1, 2)]
+    >>> pair = starskel.match(square, triangle, marks=[(0, 0)])
+    >>> pair.target.tolist()
+    [[0.0, 0.0], [2.0, 0.0], [1.5, 1.0], [1.0, 2.0]]
+    >>> pair.target_vertices.tolist()
+    [0, 1, -1, 2]
+
+    A hole without a partner closes to a point:
+
+    >>> frame = starskel.Shape([[(0, 0), (8, 0), (8, 8), (0, 8)], [(2, 2), (6, 2), (6, 6), (2, 6)]])
+    >>> starskel.match(frame, starskel.Shape([square]), pairing=[(0, 0), (1, None)]).outer
+    (-1, 0)
     """
     if is_shape(source) or is_shape(target):
         task = Task(should_stop=should_stop)

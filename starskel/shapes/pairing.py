@@ -48,6 +48,15 @@ def suggest_pairing(source: ShapeLike, target: ShapeLike) -> list[Link]:
     ------
     InvalidPolygon
         Where the rings form no shape.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> outline = [(0, 0), (8, 0), (8, 8), (0, 8)]
+    >>> one = starskel.Shape([outline, [(2, 2), (6, 2), (6, 6), (2, 6)]])
+    >>> two = starskel.Shape([outline, [(1, 1), (3, 1), (3, 3), (1, 3)], [(5, 5), (7, 5), (7, 7), (5, 7)]])
+    >>> starskel.suggest_pairing(one, two)
+    [(0, 0), (1, 1), (None, 2)]
     """
     shapes = Shape(source), Shape(target)
     outlines = _paired(shapes, shapes[0].outlines, shapes[1].outlines)

@@ -38,6 +38,17 @@ class Shape:
     ------
     InvalidPolygon
         Naming the ring, and the vertices and the place of the fault.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> frame = starskel.Shape([[(0, 0), (8, 0), (8, 8), (0, 8)], [(2, 2), (6, 2), (6, 6), (2, 6)]])
+    >>> frame
+    Shape of 1 parts with 1 holes
+    >>> frame.outer, frame.holes(0), frame.area
+    ((-1, 0), (1,), 48.0)
+    >>> frame.to_shapely().wkt
+    'MULTIPOLYGON (((0 0, 8 0, 8 8, 0 8, 0 0), (2 2, 6 2, 6 6, 2 6, 2 2)))'
     """
 
     rings: tuple[Polygon, ...]
@@ -86,7 +97,7 @@ class Shape:
         return tuple(ring for ring, outer in enumerate(self.outer) if outer < 0)
 
     def holes(self, outline: int) -> tuple[int, ...]:
-        """Give the rings that are holes of a ring."""
+        """Give the rings that are holes of the ring numbered `outline`."""
         return tuple(ring for ring, outer in enumerate(self.outer) if outer == outline)
 
     @property

@@ -31,6 +31,16 @@ class ShapeBlend:
         each ring.
     meta_skeleton : MetaSkeleton or None
         What joins them; None where each part is interpolated separately.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> frame = starskel.Shape([[(0, 0), (8, 0), (8, 8), (0, 8)], [(2, 2), (6, 2), (6, 6), (2, 6)]])
+    >>> blend = starskel.blend(frame, starskel.Shape([[(0, 0), (8, 0), (8, 8), (0, 8)]]))
+    >>> [len(ring) for ring in blend.at(0.5)]
+    [4, 4]
+    >>> round(blend.shape_at(0.5).area, 2), blend.shape_at(1).area
+    (57.18, 64.0)
     """
 
     def __init__(
@@ -93,6 +103,11 @@ class ShapeBlend:
     def frames(self, ts: ArrayLike) -> list[list[Floats]]:
         """Give the rings at each of k times, as `at` does.
 
+        Parameters
+        ----------
+        ts : (k,) array-like
+            Numbers from 0 to 1, in any order.
+
         Raises
         ------
         StarskelError
@@ -103,7 +118,7 @@ class ShapeBlend:
         return [[ring[k] for ring in rings] for k in range(len(times))]
 
     def rings(self, ts: ArrayLike) -> list[Floats]:
-        """Give each ring at all of k times, a (k, n, 2) array."""
+        """Give each ring at all of k times `ts`, a (k, n, 2) array for each."""
         times = checked_times(ts)
         rows = self._exact_rows(times)
         own = [body.part.rings(part) for body, part in zip(self.bodies, rows, strict=True)]

@@ -32,6 +32,16 @@ class Skeleton:
     gates : tuple of (int, int)
         For each piece the rows of the edge shared with its parent, as the piece has them counter-clockwise;
         (-1, -1) for the root.
+
+    Examples
+    --------
+    >>> import starskel
+    >>> hook = [(0, 0), (6, 0), (6, 5), (3, 5), (3, 4), (5, 4), (5, 1), (0, 1)]
+    >>> skeleton = starskel.blend(hook, hook, marks=[(0, 0)], method="star-skeleton").skeleton
+    >>> skeleton.root, skeleton.parents
+    (1, (1, -1))
+    >>> skeleton.arcs.tolist()
+    [[1, 2], [2, 0]]
     """
 
     decomposition: Decomposition
@@ -56,7 +66,7 @@ class Skeleton:
         return np.array(pairs, dtype=np.intp).reshape(-1, 2)
 
     def points(self, rows: Floats, origins: Floats) -> Floats:
-        """Give the (2 k - 1, 2) points of the skeleton, from those of the decomposition."""
+        """Give the (2 k - 1, 2) points of the skeleton, from the decomposition's rows and origins."""
         gates = np.array([self.gates[piece] for piece in self.order[1:]], dtype=np.intp).reshape(-1, 2)
         return np.concatenate([origins, rows[gates].mean(axis=1)])
 
