@@ -17,6 +17,14 @@ WINDOW = (
 
 HELP = (
     Command(
+        "begin",
+        QT_TRANSLATE_NOOP("Command", "How to &Begin"),
+        QT_TRANSLATE_NOOP("Command", "Show in five lines how to begin"),
+        (),
+        "",
+        True,
+    ),
+    Command(
         "manual",
         QT_TRANSLATE_NOOP("Command", "&Manual"),
         QT_TRANSLATE_NOOP("Command", "Read how it is done: blends, marks, exports, scripts"),

@@ -103,7 +103,9 @@ def test_too_many_pixels_are_refused_before_they_are_drawn():
 
 
 @pytest.mark.parametrize("ending", MOVING)
-@pytest.mark.parametrize("film", [arm(**FEW), ring(**FEW), steps(**FEW, eased=True)], ids=str)
+@pytest.mark.parametrize(
+    "film", [arm(**FEW), ring(**FEW), steps(**FEW, eased=True)], ids=lambda film: film.name
+)
 def test_moving_pictures_show_every_frame_where_the_blend_has_it(film, ending, tmp_path):
     film = replace(film, settings=replace(film.settings, look=Look(outline=None)))
     (path,) = write(tmp_path / f"film{ending}", film)
