@@ -10,7 +10,6 @@ from PySide6.QtGui import (
     QFocusEvent,
     QKeyEvent,
     QMouseEvent,
-    QPainter,
     QPaintEvent,
     QPalette,
     QResizeEvent,
@@ -22,7 +21,8 @@ from app.model.marks import Side
 from app.model.placing import corners_of
 from app.session import Session
 from app.tools.tool import PICK, Key, Pointer
-from app.view.canvas.painter import CanvasPainter
+from app.view.canvas.painter import paint_canvas
+from app.view.canvas.stage import Stage
 from app.view.painting.camera import Camera
 from app.view.painting.display import Display
 from app.view.painting.drawing import painting
@@ -110,17 +110,12 @@ class Canvas(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         with painting(self) as painter:
-            self._painter_for(painter).paint()
+            stage = Stage.of(painter, self.palette(), self.camera, self._session, self.side)
+            paint_canvas(stage, self._display.layers)
             if self.hasFocus():
                 painter.setPen(self.palette().color(QPalette.ColorRole.Highlight))
                 painter.setBrush(Qt.BrushStyle.NoBrush)
                 painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
-
-    def _painter_for(self, painter: QPainter) -> CanvasPainter:
-        layers = self._display.layers
-        return CanvasPainter(
-            painter, self.palette(), self.camera, session=self._session, side=self.side, layers=layers
-        )
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         self.camera = self.camera.resized(self.width(), self.height())
