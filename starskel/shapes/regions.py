@@ -1,5 +1,7 @@
 """Star pieces of regions with holes: those of both halves that the bridges leave, joined again."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from starskel.correspondence import Correspondence
@@ -9,8 +11,15 @@ from starskel.predicates import Floats, Indices
 from starskel.shapes.bridges import chain_of, halves
 from starskel.task import Task
 
+Cut = Callable[[Correspondence, Task], Decomposition]
+"""Decomposes a pair of simple polygons."""
 
-def decompose_region(pair: Correspondence, task: Task) -> Decomposition:
+
+def _into_few(pair: Correspondence, task: Task) -> Decomposition:
+    return decompose(pair, progress=task.reach, should_stop=task.should_stop)
+
+
+def decompose_region(pair: Correspondence, task: Task, cut: Cut = _into_few) -> Decomposition:
     """Cut both regions into compatible star pieces; a part without holes is decomposed as a polygon.
 
     Raises
@@ -21,7 +30,7 @@ def decompose_region(pair: Correspondence, task: Task) -> Decomposition:
         If the task is told to stop.
     """
     if len(pair.starts) == 1:
-        return decompose(pair, progress=task.reach, should_stop=task.should_stop)
+        return cut(pair, task)
     chain = chain_of(pair, task.quiet)
     first, second = (
         np.concatenate([rows, bends])
@@ -31,7 +40,7 @@ def decompose_region(pair: Correspondence, task: Task) -> Decomposition:
     for number, rows in enumerate(halves(pair, chain)):
         half = Correspondence(first[rows], second[rows], (), np.arange(len(rows)), np.arange(len(rows)))
         part = task.part(number / 2, (number + 1) / 2)
-        halved.append((rows, decompose(half, progress=part.reach, should_stop=task.should_stop)))
+        halved.append((rows, cut(half, part)))
     return _joined(pair, (first, second), halved)
 
 

@@ -16,6 +16,9 @@ Guide = Callable[[Floats], Floats]
 Linked = Callable[[Floats, Floats], bool]
 """Tells whether the even motion from one frame to another is good enough."""
 
+Sound = Callable[[Floats], bool]
+"""Tells whether a frame is one that may be linked."""
+
 LINKS = (32, 64, 128)
 """Numbers of links that are tried in turn, until the motion between the frames is even enough."""
 
@@ -41,8 +44,18 @@ Chain = list[Key]
 """Keys in the order of time, linked by even motions."""
 
 
-def chains_between(
-    ends: tuple[Key, Key], guide: Guide, linked: Linked, task: Task, links: tuple[int, ...] = LINKS
+def is_simple(ring: Floats) -> bool:
+    """Tell whether a ring neither crosses nor touches itself."""
+    return not cross_themselves(ring[None])[0]
+
+
+def chains_between(  # noqa: PLR0913, PLR0917 -- the last two are for special cases
+    ends: tuple[Key, Key],
+    guide: Guide,
+    linked: Linked,
+    task: Task,
+    links: tuple[int, ...] = LINKS,
+    sound: Sound = is_simple,
 ) -> list[Chain]:
     """Give a guide's frames as chains of good links; there are gaps between one chain and the next.
 
@@ -55,7 +68,7 @@ def chains_between(
     good = []
     for key in keys:
         task.reach(0.5)
-        good.append(not cross_themselves(key.frame[None])[0] and linked(key.frame, key.frame))
+        good.append(sound(key.frame) and linked(key.frame, key.frame))
     good[0] = good[-1] = (
         True  # polygons are simple, whatever rounding makes of vertices inserted on their edges
     )
@@ -64,7 +77,7 @@ def chains_between(
         if after - before > 1:
             chains.append([keys[after]])
         else:
-            search = _Search(guide, linked, task.part(0.5 + before / len(keys) / 2, 1))
+            search = _Search(guide, linked, sound, task.part(0.5 + before / len(keys) / 2, 1))
             _append(chains, search.chains(keys[before], keys[after], BISECTIONS))
     return chains
 
@@ -127,6 +140,7 @@ class _Search:
 
     guide: Guide
     linked: Linked
+    sound: Sound
     task: Task
 
     def chains(self, before: Key, after: Key, bisections: int) -> list[Chain]:
@@ -134,10 +148,10 @@ class _Search:
         if self.linked(before.frame, after.frame):
             return [[before, after]]
         t = (before.t + after.t) / 2
-        frame = self.guide(np.array([t]))
-        if not bisections or cross_themselves(frame)[0] or not self.linked(frame[0], frame[0]):
+        frame = self.guide(np.array([t]))[0]
+        if not bisections or not self.sound(frame) or not self.linked(frame, frame):
             return [[before], [after]]
-        middle = Key(t, frame[0])
+        middle = Key(t, frame)
         first = self.chains(before, middle, bisections - 1)
         if len(first) > 1:
             return [[before], [after]]

@@ -124,7 +124,7 @@ def _triangulated(decomposition: Decomposition, choice: _Choice, task: Task) -> 
     rest = [*((edge - np.arange(n)) % n), *left, *corners[1:], corners[0], *right[::-1]]
     parts = [(np.array(part), _fans(both, np.array(part), task)) for part in (passage, rest)]
     inside = fans_of(decomposition, task)
-    return _joined(both, [(np.arange(n), _put(inside, places)), *parts], places, turn)
+    return joined(both, [(np.arange(n), fans_put(inside, places)), *parts], places, turn)
 
 
 def _outline(ring: Complex, edge: int, way: Passage, count: int) -> Complex:
@@ -156,7 +156,8 @@ def _fans(both: list[Complex], part: Indices, task: Task) -> Fans:
     return fans_of(decompose_quickly(pair, task.quiet), task)
 
 
-def _put(fans: Fans, places: tuple[Place, Place]) -> Fans:
+def fans_put(fans: Fans, places: tuple[Place, Place]) -> Fans:
+    """Put fans into the square."""
     source, target = (
         as_points(place.put(as_complex(side)))
         for place, side in zip(places, (fans.source, fans.target), strict=True)
@@ -164,10 +165,20 @@ def _put(fans: Fans, places: tuple[Place, Place]) -> Fans:
     return Fans(source, target, fans.triangles, fans.hubs)
 
 
-def _joined(
+def joined(
     both: list[Complex], parts: list[tuple[Indices, Fans]], places: tuple[Place, Place], turn: float
 ) -> Surroundings:
-    """Join parts, each the rows of its outline and its fans; the square's corners are moved to the end."""
+    """Join parts of the square, each the rows of its rings and its fans.
+
+    Parameters
+    ----------
+    both : list of two (n,) complex arrays
+        The rings' points in source and target, the square's corners behind them.
+    parts : list of (rows, Fans)
+        Of each part which of these points come first among those of the fans.
+    places, turn
+        As for `Surroundings`.
+    """
     outline = len(both[0]) - len(SQUARE)
     inner = sum(len(fans.source) - len(rows) for rows, fans in parts)
     names = np.concatenate([np.arange(outline), outline + inner + np.arange(len(SQUARE))])

@@ -9,7 +9,7 @@ import shapely
 import starskel
 from starskel import METHODS, Shape, StarskelError
 from starskel.decomposition.verify import faults
-from tests.starskel.shapes.drawn import COLON, EIGHT, FACE, LETTERS, A, B, I, moved
+from tests.starskel.shapes.drawn import BAR, COLON, EIGHT, FACE, LETTERS, A, B, I, O, ellipse, moved
 
 TURNING = tuple(method for method in METHODS if method not in ("vertex", "certified"))
 TIMES = np.linspace(0, 1, 41)
@@ -151,11 +151,45 @@ def test_certified_letters_keep_their_rings_simple_and_apart_at_any_time(name):
         assert len(shape.geoms) == sum(outer < 0 for outer in blend.pair.outer)
 
 
-def test_a_certified_blend_is_refused_where_parts_pass_through_each_other():
-    left, right = [(0, 0), (10, 0), (10, 10), (0, 10)], [(20, 0), (30, 0), (30, 9), (20, 9)]
-    pair = starskel.match(Shape([left, right]), Shape([left, right]), pairing=[(0, 1), (1, 0)])
-    with pytest.raises(StarskelError, match="rings of the shapes meet on the way, near t = 0"):
-        starskel.blend(pair, method="certified", joined=False)
+def _side_by_side(rings, away):
+    return [*rings, *moved(rings, 0, away)]
+
+
+@pytest.mark.parametrize(
+    ("source", "target", "pairing"),
+    [
+        (_side_by_side(BAR, 40), _side_by_side(BAR, 40), [(0, 1), (1, 0)]),
+        (_side_by_side(I, 60), _side_by_side(I, 60), [(0, 2), (1, 3), (2, 0), (3, 1)]),
+        (
+            _side_by_side(A, 100),
+            _side_by_side(B, 100),
+            [(0, 3), (1, 4), (2, 0), (3, 1), (None, 2), (None, 5)],
+        ),
+    ],
+)
+def test_certified_parts_that_would_pass_through_each_other_go_round_each_other(source, target, pairing):
+    pair = starskel.match(Shape(source), Shape(target), pairing=pairing)
+    meeting = starskel.blend(pair, method="stitched", joined=False)
+    assert starskel.measure(meeting, 21).overlaps.max() > 0.1
+    blend = starskel.blend(pair, method="certified", joined=False)
+    assert blend.repaired
+    for number, side in enumerate((source, target)):
+        known = [k for k, link in enumerate(pairing) if link[number] is not None]
+        rings = [side[pairing[k][number]] for k in known]
+        assert farthest([blend.at(number)[k] for k in known], rings) < 1e-7
+    for t in np.random.default_rng(3).uniform(0, 1, 100):
+        parts = blend.shape_at(t)
+        assert parts.is_valid  # holes stay inside, and parts apart
+        assert len(parts.geoms) == sum(outer < 0 for outer in pair.outer)
+
+
+def test_a_certified_blend_says_which_rings_have_to_meet():
+    dot = ellipse(120, 50, 5, 5)
+    inside, outside = Shape.of_parts([(O[0], [O[1]]), (ellipse(45, 50, 5, 5), [])]), Shape([*O, dot])
+    with pytest.raises(
+        StarskelError, match=r"paired as \(2, 2\) lie in those paired as \(0, 0\), but not in"
+    ):
+        starskel.blend(inside, outside, pairing=[(0, 0), (1, 1), (2, 2)], method="certified")
 
 
 def test_parts_that_meet_at_an_end_may_meet_on_the_way_of_a_certified_blend_and_are_named():
