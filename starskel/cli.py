@@ -20,8 +20,8 @@ examples:
   starskel render drawing.json --frames 25 -o flipbook.pdf
   starskel render drawing.json --layout animation --returning -o moving.svg
   starskel render drawing.json --layout sheet -o methods.svg
-  starskel morph pictures.json --id dog-cat --returning -o morph.gif
-  starskel gallery -o gallery drawing.json shapes.json
+  starskel morph pictures.json --returning -o morph.gif
+  starskel gallery drawing.json shapes.json -o gallery
   starskel measure shapes.json --json > figures.json
   starskel convert icons.svg --shape heart --shape star -o drawing.json
 
