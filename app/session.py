@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from app.compute import USUAL_METHODS, Blends, MethodState, Morphs, Result, Trace, subjects_of, trace_of
 from app.model.document import Document
-from app.model.filing import document_of, project_of
+from app.model.filing import Filed, document_of, project_of
 from app.model.history import History
 from app.model.marks import Marks, Side
 from app.model.selection import Selection
@@ -18,7 +18,6 @@ from app.tools.hand import Hand, Pointed
 from app.tools.marking import replace_marks
 from app.tools.settings import Settings
 from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
-from starskel.files.disk import digest_of
 from starskel.files.project import Project
 from starskel.files.project_file import read_project, write_project
 
@@ -32,10 +31,8 @@ class Session(QObject):
         The tool in hand, what is selected, and what was said last.
     history : History
         What undo and redo go through.
-    path : Path or None
+    file : Filed or None
         The project file, None before it has one.
-    digest : str or None
-        Of that file, as it was when it was read or written last.
     morphs : Morphs
         What paints pictures inside the blends.
     pointed : (side, int) or None
@@ -71,8 +68,7 @@ class Session(QObject):
         self._blends.restarted.connect(self.restarted)
         self.morphs = Morphs(self)
         self.hand = Hand()
-        self.path: Path | None = None
-        self.digest: str | None = None
+        self.file: Filed | None = None
         self.pointed: Pointed | None = None
 
     @property
@@ -104,6 +100,11 @@ class Session(QObject):
     def lost(self) -> int:
         """How many marks the last edit of a shape took along, until the next one is begun."""
         return self.hand.lost
+
+    @property
+    def path(self) -> Path | None:
+        """Where the project file lies."""
+        return None if self.file is None else self.file.path
 
     @property
     def unsaved(self) -> bool:
@@ -307,12 +308,10 @@ class Session(QObject):
         StarskelError
             If it cannot be read; what was open stays open.
         """
-        digest = digest_of(path)
-        self.show_project(read_project(path), path, digest)
+        file = Filed.now(path)
+        self.show_project(read_project(path), file)
 
-    def show_project(
-        self, project: Project, path: Path | None = None, digest: str | None = None, *, saved: bool = True
-    ) -> None:
+    def show_project(self, project: Project, file: Filed | None = None, *, saved: bool = True) -> None:
         """Edit a project, which may have no file yet, or differ from its file where it is not saved.
 
         Raises
@@ -320,13 +319,7 @@ class Session(QObject):
         InvalidMarks
             If its marks cross.
         """
-        self._start(document_of(project, USUAL_METHODS), path, digest, saved=saved)
-
-    @property
-    def overtaken(self) -> bool:
-        """Whether another program has changed the file since it was read or written."""
-        now = None if self.path is None else digest_of(self.path)
-        return now is not None and self.digest is not None and now != self.digest
+        self._start(document_of(project, USUAL_METHODS), file, saved=saved)
 
     def save(self, path: Path) -> None:
         """Write the project file, whole or not at all.
@@ -337,7 +330,7 @@ class Session(QObject):
             If it cannot be written.
         """
         write_project(path, project_of(self.document, path.stem))
-        self.path, self.digest, self.history = path, digest_of(path), self.history.saving()
+        self.file, self.history = Filed.now(path), self.history.saving()
         self.document_changed.emit()
 
     # how answers and documents come in
@@ -377,13 +370,11 @@ class Session(QObject):
             self.step_changed.emit()
         self._refresh()
 
-    def _start(
-        self, document: Document, path: Path | None = None, digest: str | None = None, *, saved: bool = True
-    ) -> None:
+    def _start(self, document: Document, file: Filed | None = None, *, saved: bool = True) -> None:
         self.history = History.of(document)
         if not saved:
             self.history = replace(self.history, saved=Document())
-        self.path, self.digest = path, digest
+        self.file = file
         self.hand = self.hand.for_document(document)
         self._blends.forget()
         self.tool_changed.emit()

@@ -1,8 +1,39 @@
-"""Documents to projects, which files hold, and back."""
+"""Documents to projects, which files hold, and back; and whether a file is still as it was."""
+
+from dataclasses import dataclass
+from pathlib import Path
 
 from app.model.document import Document
 from app.model.sequence import Sequence
+from starskel.files.disk import digest_of
 from starskel.files.project import Project
+
+
+@dataclass(frozen=True)
+class Filed:
+    """The file of a document, as it was when it was read or written last.
+
+    Attributes
+    ----------
+    path : Path
+        Where it lies.
+    digest : str or None
+        Of what was in it; None where it could not be read.
+    """
+
+    path: Path
+    digest: str | None
+
+    @classmethod
+    def now(cls, path: Path) -> "Filed":
+        """Give a file as it is now."""
+        return cls(path, digest_of(path))
+
+    @property
+    def overtaken(self) -> bool:
+        """Whether another program has changed it since; one that has gone can be written anew unasked."""
+        now = digest_of(self.path)
+        return now is not None and self.digest is not None and now != self.digest
 
 
 def document_of(project: Project, usual_methods: tuple[str, ...]) -> Document:

@@ -80,7 +80,7 @@ class Keeper(QObject):
     def _write(self) -> "Future[None]":
         session = self._session
         self._written = session.document
-        record = Record(project_of(session.document, ""), session.path, session.digest)
+        record = Record(project_of(session.document, ""), session.file)
         return self._do(partial(self._put, record))
 
     def _do(self, job: Callable[[], None]) -> "Future[None]":

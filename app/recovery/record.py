@@ -8,6 +8,7 @@ from pathlib import Path
 
 import msgspec
 
+from app.model.filing import Filed
 from starskel.files.documents import read_document, write_document
 from starskel.files.project import Project
 from starskel.files.project_file import project_content, read_project
@@ -21,15 +22,12 @@ class Record:
     ----------
     project : Project
         The document as it was last.
-    origin : Path or None
+    file : Filed or None
         Its own file, None before it has one.
-    digest : str or None
-        Of that file, as it was when it was read or written last.
     """
 
     project: Project
-    origin: Path | None = None
-    digest: str | None = None
+    file: Filed | None = None
 
 
 class _Origin(msgspec.Struct, frozen=True):
@@ -49,7 +47,8 @@ def write_record(path: Path, record: Record) -> None:
     InvalidFile
         If it cannot be written.
     """
-    origin = _Origin(None if record.origin is None else str(record.origin.absolute()), record.digest)
+    file = record.file
+    origin = _Origin() if file is None else _Origin(str(file.path.absolute()), file.digest)
     write_document(path, {**project_content(record.project), "recovery": origin})
 
 
@@ -62,4 +61,5 @@ def read_record(path: Path) -> Record:
         If it cannot be read or is damaged.
     """
     origin = read_document(path, _Header).recovery
-    return Record(read_project(path), None if origin.path is None else Path(origin.path), origin.digest)
+    file = None if origin.path is None else Filed(Path(origin.path), origin.digest)
+    return Record(read_project(path), file)

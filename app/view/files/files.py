@@ -152,7 +152,8 @@ class Files(QObject):
             self._session.show_project(Project.of(file.pair(chosen)))
 
     def _save(self, path: Path) -> bool:
-        if path == self._session.path and self._session.overtaken:
+        file = self._session.file
+        if file is not None and path == file.path and file.overtaken:
             answer = ask_about_overtaking(self._window, path)
             if answer is not Answer.SAVE:
                 return answer is Answer.ELSEWHERE and self.save_as()

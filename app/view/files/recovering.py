@@ -59,7 +59,7 @@ class Recovering(QObject):
         record = kept.record
         assert isinstance(record, Record)
         try:
-            self._session.show_project(record.project, record.origin, record.digest, saved=False)
+            self._session.show_project(record.project, record.file, saved=False)
         except StarskelError as error:
             name = kept.place.path.name
             complain(self._window, self.tr("{name} cannot be opened").format(name=name), error)

@@ -90,7 +90,7 @@ class RecoveryDialog(QDialog):
         if not isinstance(record, Record):
             damaged = self.tr("Damaged, it cannot be opened")
             return f"{damaged}\n{kept.place.path}\n{when}"
-        origin: Path | None = record.origin
+        origin: Path | None = None if record.file is None else record.file.path
         name = (origin.stem if origin else record.project.name) or self.tr("Untitled")
         place = str(origin) if origin else self.tr("never saved to a file")
         return f"{name}\n{place}\n{when}"

@@ -1,4 +1,4 @@
-from app.model.filing import document_of, project_of
+from app.model.filing import Filed, document_of, project_of
 from starskel.files.examples import example, example_names
 
 
@@ -12,3 +12,16 @@ def test_a_project_comes_back_from_its_document_as_it_was():
         assert back.shapes == project.shapes
         described += project.description != ""
     assert described
+
+
+def test_a_file_is_overtaken_when_another_program_has_changed_it_not_when_it_has_gone(tmp_path):
+    path = tmp_path / "a.json"
+    path.write_text("one")
+    file = Filed.now(path)
+    path.write_text("one")
+    assert not file.overtaken
+    path.write_text("two")
+    assert file.overtaken
+    path.unlink()
+    assert not file.overtaken
+    assert not Filed.now(path).overtaken

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
+from app.model.filing import Filed
 from app.recovery import keeper as keeping
 from app.recovery.keeper import Keeper
 from app.recovery.places import Place, kept_records, state_folder
@@ -85,8 +86,7 @@ def test_a_record_tells_its_file_and_opens_as_a_project(
     drawn(session)
     assert keeper.keep_now()
     record = read_record(files()[0])
-    assert record.origin == path
-    assert record.digest == session.digest
+    assert record.file == session.file == Filed.now(path)
     assert read_project(files()[0]) == record.project
 
 
@@ -179,8 +179,11 @@ def test_a_damaged_record_is_named_and_left_where_it_is(session: Session) -> Non
     assert files() == [place.path]
 
 
+@pytest.mark.parametrize("digest", [None, "0" * 64])
 @pytest.mark.parametrize("origin", [None, Path("/somewhere/ä b.json")])
-def test_records_are_the_same_after_writing_and_reading(tmp_path: Path, origin: Path | None) -> None:
-    record = Record(example("arm"), origin, origin and "0" * 64)
+def test_records_are_the_same_after_writing_and_reading(
+    tmp_path: Path, origin: Path | None, digest: str | None
+) -> None:
+    record = Record(example("arm"), origin and Filed(origin, digest))
     write_record(tmp_path / "record.json", record)
     assert read_record(tmp_path / "record.json") == record

@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox, QPushButton, QWidget
 
+from app.model.filing import Filed
 from app.recovery.places import Place, state_folder
 from app.recovery.record import Record, write_record
 from app.view.files.recovery_dialog import RecoveryDialog
@@ -148,7 +149,7 @@ def test_saving_again_after_overwriting_asks_nothing_nor_does_a_file_written_ane
 def left(name: str, origin: Path | None = None) -> Place:
     """Leave a record as a crash does."""
     place = Place.new()
-    write_record(place.path, Record(example(name), origin))
+    write_record(place.path, Record(example(name), origin and Filed(origin, None)))
     place.release()
     return place
 
