@@ -16,8 +16,9 @@ from app.model.selection import Selection
 from app.model.sequence import lost_marks
 from app.tools.hand import Hand, Pointed
 from app.tools.marking import replace_marks
+from app.tools.refusal import Refusal
 from app.tools.settings import Settings
-from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
+from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Scene, Tool
 from starskel.files.project import Project
 from starskel.files.project_file import read_project, write_project
 

@@ -9,7 +9,7 @@ from time import monotonic
 import numpy as np
 
 from app.compute.request import Failure, Request, Result
-from app.model.document import Point
+from app.model.point import Point
 from starskel import (
     Blend,
     Correspondence,

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.model.document import Point
 from app.model.marks import Side
+from app.model.point import Point
 from starskel import Correspondence
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from app.model import marks as pins
 from app.model.marks import Marks, Place, Side, other
 from app.model.pairing import Links, complete, paired, part_of
+from app.model.point import Point
 from app.model.sequence import Sequence
 from starskel.errors import InvalidPolygon, told
 from starskel.files.key_shape import KeyShape, Part
@@ -16,8 +17,6 @@ from starskel.files.picture import Picture
 from starskel.files.step import Link, Step
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
-
-Point = tuple[float, float]
 
 
 def _unmoved(vertex: int) -> int:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from app.model.document import Point
+from app.model.point import Point
 from starskel.predicates import Floats
 
 

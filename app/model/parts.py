@@ -5,9 +5,10 @@ from dataclasses import replace
 from typing import Any
 
 from app.model import pairing
-from app.model.document import Document, Point
+from app.model.document import Document
 from app.model.marks import SIDES, Side
 from app.model.pairing import Ends
+from app.model.point import Point
 from starskel import suggest_pairing
 from starskel.files.key_shape import Part
 from starskel.files.step import Link

@@ -5,7 +5,7 @@ from math import cos, remainder, sin, tau
 
 import numpy as np
 
-from app.model.document import Point
+from app.model.point import Point
 from starskel.files.picture import Picture
 from starskel.predicates import Floats
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.model.document import Point
+from app.model.point import Point
 from starskel.predicates import Floats
 
 

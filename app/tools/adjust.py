@@ -7,8 +7,9 @@ from typing import ClassVar, Protocol
 import numpy as np
 
 from app.model.density import kept_vertices
-from app.model.document import Document, Point
+from app.model.document import Document
 from app.model.marks import Side
+from app.model.point import Point
 from app.model.strokes import closed
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.outcome import drawn

@@ -4,8 +4,8 @@ from dataclasses import replace
 from math import radians
 
 from app.model import placing
-from app.model.document import Point
 from app.model.marks import Side
+from app.model.point import Point
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.outcome import drawn_parts
 from app.tools.picture import MOVE, SCALE, TURNING, PictureTool, put_picture

@@ -5,13 +5,14 @@ from typing import ClassVar
 
 import numpy as np
 
-from app.model.document import Point
 from app.model.marks import Side
+from app.model.point import Point
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.outcome import drawn
 from app.tools.pick import distance
+from app.tools.refusal import Refusal, Segment
 from app.tools.snapping import begun_at, caught, ground_for_drawing
-from app.tools.tool import Catch, Key, Overlay, Pointer, Refusal, Response, Scene, Segment, Tool
+from app.tools.tool import Catch, Key, Overlay, Pointer, Response, Scene, Tool
 from starskel.errors import InvalidPolygon, told
 from starskel.predicates import Floats, folds_back, segments_meet
 

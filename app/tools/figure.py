@@ -6,8 +6,8 @@ from math import atan2, degrees, hypot
 from typing import ClassVar
 
 from app.model import figures
-from app.model.document import Point
 from app.model.marks import Side
+from app.model.point import Point
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.outcome import drawn
 from app.tools.pick import distance

@@ -7,9 +7,10 @@ from app.model.document import Document
 from app.model.marks import SIDES, Side
 from app.model.selection import Selection, everything
 from app.tools.draw import DrawTool
+from app.tools.refusal import Refusal
 from app.tools.select import SelectTool
 from app.tools.settings import Settings
-from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
+from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Scene, Tool
 from app.tools.toolbox import TOOLS
 
 Pointed = tuple[Side, int]

@@ -1,6 +1,6 @@
 """The frame around what is selected, and its handles."""
 
-from app.model.document import Point
+from app.model.point import Point
 from app.model.transforms import Box
 from app.tools.pick import distance
 from app.tools.tool import Pointer

@@ -7,7 +7,8 @@ from app.model.document import Document
 from app.model.marks import Side, end, mark_at
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.pick import distance, part_of_vertex_at, vertex_at
-from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool
+from app.tools.refusal import Refusal
+from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Scene, Tool
 from starskel.errors import InvalidMarks
 
 

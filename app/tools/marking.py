@@ -6,7 +6,8 @@ from app.model.document import Document
 from app.model.marks import Marks, Side
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.mark import MarkTool
-from app.tools.tool import Commit, Refusal, Response, Scene
+from app.tools.refusal import Refusal
+from app.tools.tool import Commit, Response, Scene
 from starskel.errors import InvalidMarks
 
 

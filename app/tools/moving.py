@@ -5,16 +5,17 @@ from math import atan2, degrees, radians, remainder, tau
 from typing import ClassVar
 
 from app.model import transforms
-from app.model.document import Point
 from app.model.marks import Side
+from app.model.point import Point, as_point
 from app.model.selection import Selection, at_places
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.model.transforms import Box, box_of
 from app.tools.handles import CORNERS, TURN
 from app.tools.pick import distance
+from app.tools.refusal import refused_ring
 from app.tools.settings import Snapping
 from app.tools.snapping import REACH, STEP, caught, ground_for_moving
-from app.tools.tool import Catch, Commit, Key, Overlay, Pointer, Response, Scene, Tool, as_point, refused_ring
+from app.tools.tool import Catch, Commit, Key, Overlay, Pointer, Response, Scene, Tool
 from starskel.errors import StarskelError
 from starskel.predicates import Floats
 

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from app.model import transforms
-from app.model.document import Point
+from app.model.point import Point
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.model.transforms import Box, box_of
 from app.tools.moving import placed

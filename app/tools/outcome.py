@@ -6,8 +6,9 @@ from app.model import parts
 from app.model.document import Document
 from app.model.marks import Side, other
 from app.model.selection import Selection, everything
+from app.tools.refusal import refused_ring
 from app.tools.select import SelectTool
-from app.tools.tool import Commit, Response, Scene, Tool, refused_ring
+from app.tools.tool import Commit, Response, Scene, Tool
 from starskel.errors import InvalidPolygon
 from starskel.polygon import Polygon
 from starskel.predicates import Floats

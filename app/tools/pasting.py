@@ -8,8 +8,9 @@ from app.model.clipping import Clipping
 from app.model.marks import Side
 from app.model.selection import Selection, everything
 from app.model.texts import QT_TRANSLATE_NOOP
+from app.tools.refusal import refused_ring
 from app.tools.select import SelectTool
-from app.tools.tool import Commit, Response, Scene, refused_ring
+from app.tools.tool import Commit, Response, Scene
 from starskel.errors import InvalidPolygon
 from starskel.polygon import Polygon
 from starskel.shapes.shape import Shape

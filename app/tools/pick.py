@@ -3,8 +3,9 @@
 import numpy as np
 import shapely
 
-from app.model.document import Document, Point
-from app.tools.tool import Pointer, as_point
+from app.model.document import Document
+from app.model.point import Point, as_point
+from app.tools.tool import Pointer
 from starskel.predicates import Floats
 
 

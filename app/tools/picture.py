@@ -5,8 +5,9 @@ from math import degrees
 from typing import ClassVar
 
 from app.model import placing
-from app.model.document import Document, Point
+from app.model.document import Document
 from app.model.marks import Side
+from app.model.point import Point
 from app.model.selection import Selection
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.handles import CORNERS, STALK, TURN

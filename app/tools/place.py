@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from app.model import parts
-from app.model.document import Point
 from app.model.marks import Side
+from app.model.point import Point
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.select import SelectTool
 from app.tools.tool import Commit, Overlay, Pointer, Response, Scene, Tool

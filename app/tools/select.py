@@ -4,15 +4,16 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from app.model import transforms
-from app.model.document import Point
 from app.model.marks import Side
+from app.model.point import Point
 from app.model.selection import Selection, everything
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.model.transforms import Box, box_of
 from app.tools.handles import handle_at, in_frame
 from app.tools.moving import ARROWS, Dragging, Transforming, key_turn, key_way, placed
 from app.tools.pick import distance, edge_at, inside, nearest_vertex, part_under, vertex_at, vertices_in
-from app.tools.tool import Commit, Key, Overlay, Pointer, Refusal, Response, Scene, Tool, refused_ring
+from app.tools.refusal import Refusal, refused_ring
+from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Scene, Tool
 from starskel.errors import StarskelError
 from starskel.predicates import Floats
 
@@ -78,7 +79,7 @@ class SelectTool(Tool):
         try:
             document = scene.document.insert(pointer.side, start, place)
         except StarskelError as error:
-            return Response(self, refusal=Refusal(pointer.side, error, place=place))
+            return Response(self, refusal=Refusal(pointer.side, error, places=(place,)))
         selection = Selection(pointer.side, frozenset([start + 1]))
         return Response(
             SelectTool(pointer.side, start + 1),

@@ -7,11 +7,13 @@ from math import atan2, cos, pi, sin
 
 import numpy as np
 
-from app.model.document import Document, Point
+from app.model.document import Document
 from app.model.marks import Side
+from app.model.point import Point, as_point
 from app.tools.pick import distance, nearest_on
+from app.tools.refusal import Segment
 from app.tools.settings import Snapping
-from app.tools.tool import Catch, Pointer, Scene, Segment, as_point
+from app.tools.tool import Catch, Pointer, Scene
 from starskel.predicates import Floats
 
 REACH = 2 / 3

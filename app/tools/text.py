@@ -5,8 +5,8 @@ from typing import ClassVar
 
 import numpy as np
 
-from app.model.document import Point
 from app.model.marks import Side
+from app.model.point import Point
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.outcome import drawn_parts
 from app.tools.settings import Settings

@@ -4,16 +4,15 @@ from collections.abc import Hashable
 from dataclasses import dataclass, field
 from typing import ClassVar
 
-from app.model.document import Document, Point
-from app.model.marks import Marks, Side
+from app.model.document import Document
+from app.model.marks import Side
+from app.model.point import Point
 from app.model.selection import Selection
 from app.model.transforms import Box
+from app.tools.refusal import Refusal, Segment
 from app.tools.settings import Settings
-from starskel.errors import InvalidMarks, InvalidPolygon, StarskelError
 from starskel.files.picture import Picture
 from starskel.predicates import Floats
-
-Segment = tuple[Point, Point]
 
 PICK = 9.0
 """Pixels within which a vertex or an edge counts as under the pointer."""
@@ -92,31 +91,6 @@ class Catch:
     at: Point
     kind: str = ""
     guides: tuple[Segment, ...] = ()
-
-
-@dataclass(frozen=True)
-class Refusal:
-    """An edit that is not possible, and where to show why.
-
-    Attributes
-    ----------
-    side : {"source", "target"}
-        The canvas on which it was tried.
-    error : StarskelError
-        What is wrong.
-    segments : tuple of segments
-        The edges concerned.
-    place : (float, float) or None
-        The very spot.
-    marks : tuple of (int, int)
-        The marks concerned, to be shown on both canvases.
-    """
-
-    side: Side
-    error: StarskelError
-    segments: tuple[Segment, ...] = ()
-    place: Point | None = None
-    marks: Marks = ()
 
 
 @dataclass(frozen=True)
@@ -252,20 +226,3 @@ class Response:
     commit: Commit | None = None
     selection: Selection | None = None
     refusal: Refusal | None = None
-
-
-def refused_ring(side: Side, ring: Floats, error: StarskelError) -> Refusal:
-    """Point at the fault of a ring that is not a simple polygon, or at the marks that it would make cross."""
-    if isinstance(error, InvalidMarks):
-        return Refusal(side, error, marks=error.marks)
-    if not isinstance(error, InvalidPolygon):
-        return Refusal(side, error)
-    named = [as_point(ring[vertex]) for vertex in error.vertices]
-    crossing = len(named) == 4
-    segments = ((named[0], named[1]), (named[2], named[3])) if crossing else ()
-    return Refusal(side, error, segments, error.place)
-
-
-def as_point(row: Floats) -> Point:
-    """Give a row of an array as a point."""
-    return float(row[0]), float(row[1])

@@ -6,13 +6,15 @@ from functools import partial
 from typing import ClassVar
 
 from app.model import reshaping
-from app.model.document import Document, Point
+from app.model.document import Document
 from app.model.marks import Side, other
+from app.model.point import Point
 from app.model.selection import Selection, at_places, everything
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.adjust import done
+from app.tools.refusal import Refusal, refused_ring
 from app.tools.select import SelectTool
-from app.tools.tool import Commit, Refusal, Response, Scene, refused_ring
+from app.tools.tool import Commit, Response, Scene
 from starskel.errors import StarskelError
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter
 
-from app.model.document import Point
+from app.model.point import Point
 from app.tools.handles import TURN, handle_places
 from app.tools.picture import picture_handles
 from app.tools.tool import Catch, Overlay

@@ -7,8 +7,8 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, Qt, Slot
 from PySide6.QtGui import QPaintEvent
 from PySide6.QtWidgets import QWidget
 
-from app.model.document import Point
 from app.model.marks import Side
+from app.model.point import Point
 from app.session import Session
 from app.view.canvas.canvas import Canvas
 from app.view.painting.drawing import painting, pen, point_of

@@ -4,7 +4,7 @@ from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor
 
 from app.model.marks import end
-from app.tools.tool import as_point
+from app.model.point import as_point
 from app.view.canvas.stage import Stage
 from app.view.painting.drawing import pen
 from app.view.painting.frame_layers import paint_way

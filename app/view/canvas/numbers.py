@@ -8,7 +8,7 @@ from math import radians
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QDoubleSpinBox
 
-from app.model.document import Point
+from app.model.point import Point
 from app.model.selection import Selection
 from app.session import Session
 from app.tools import numbers

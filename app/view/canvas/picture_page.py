@@ -6,8 +6,8 @@ from math import degrees
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QSlider, QToolButton
 
-from app.model.document import Point
 from app.model.marks import Side
+from app.model.point import Point
 from app.session import Session
 from app.tools.backdrop import centre_picture, fade_picture, resize_picture, turn_picture
 from app.view.canvas.numbers import Measured, Placing

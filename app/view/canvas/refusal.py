@@ -28,8 +28,8 @@ def paint_refusal(stage: Stage, labels: list[QRectF]) -> None:
     places = [stage.on_screen(point) for segment in refusal.segments for point in segment]
     for start, stop in zip(places[::2], places[1::2], strict=True):
         stage.painter.drawLine(start, stop)
-    if refusal.place is not None:
-        places.append(stage.on_screen(refusal.place))
+    for place in refusal.places:
+        places.append(stage.on_screen(place))
         cross_at(stage.painter, places[-1], red)
     places += [point_of(stage.screen[vertex]) for vertex in vertices]
     reason = words.reason(refusal.error, stage.document)

@@ -6,8 +6,9 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPalette
 
-from app.model.document import Document, Point
+from app.model.document import Document
 from app.model.marks import Side
+from app.model.point import Point
 from app.session import Session
 from app.tools.tool import Overlay
 from app.view.painting.camera import Camera

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from app.model.document import Point
+from app.model.point import Point
 from app.view.painting.camera import Camera
 
 

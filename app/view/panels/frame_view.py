@@ -16,10 +16,9 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.compute import STEERED, MethodState
 from app.model import parts
-from app.model.document import Point
+from app.model.point import Point, as_point
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.session import Session
-from app.tools.tool import as_point
 from app.view.painting.camera import Camera
 from app.view.painting.display import Display
 from app.view.painting.drawing import layer_for, painting

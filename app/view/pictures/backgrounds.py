@@ -11,7 +11,8 @@ from app.model.marks import Side
 from app.session import Session
 from app.tools.backdrop import crop_picture, lock_picture, traced, with_picture, without_picture
 from app.tools.picture import PictureTool
-from app.tools.tool import Refusal, Response
+from app.tools.refusal import Refusal
+from app.tools.tool import Response
 from app.view.canvas.canvas import Canvas
 from app.view.files.dialogs import picture_to_open
 from app.view.painting.pictures import image_in, picture_of

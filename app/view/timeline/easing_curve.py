@@ -5,7 +5,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.model.document import Point
+from app.model.point import Point
 from app.view.painting.drawing import painting, pen, polygon_of
 from app.view.painting.theme import Theme, theme_of
 from app.view.timeline.player import Player

@@ -69,7 +69,7 @@ def test_closing_over_another_edge_is_refused() -> None:
     by_key = zigzag.tool.key(SCENE, Key("enter"))
     assert by_key.commit is None
     assert by_key.refusal is not None
-    assert by_key.refusal.place is not None
+    assert by_key.refusal.places
 
 
 def test_enter_on_two_vertices_is_refused() -> None:

@@ -3,6 +3,7 @@ from app.model.selection import Selection, everything
 from app.tools.moving import Dragging
 from app.tools.select import RubberBand, SelectTool
 from app.tools.tool import Key, Pointer, Response, Scene
+from starskel.errors import InvalidPolygon
 from starskel.polygon import Polygon
 
 SQUARE = Document.of(source=Polygon([(0, 0), (10, 0), (10, 10), (0, 10)]))
@@ -65,6 +66,16 @@ def test_a_drag_that_crosses_is_refused_and_stores_nothing() -> None:
     assert response.commit is None
     assert response.refusal is not None
     assert len(response.refusal.segments) == 2
+
+
+def test_all_crossings_are_pointed_at_not_only_the_first() -> None:
+    teeth = [(0, 0), (10, 0), (10, 10), (8, 10), (8, 4), (5, 4), (5, 10), (0, 10)]
+    scene = Scene(Document.of(source=Polygon(teeth)), Selection())
+    response = drag(scene, (0, 10), (12, 8))  # its edges run through the right tooth and the gap
+    assert response.refusal is not None
+    assert isinstance(response.refusal.error, InvalidPolygon)
+    assert len(response.refusal.segments) == 10
+    assert sorted(x for x, _ in response.refusal.places) == [6, 8, 8, 10, 10]
 
 
 def test_cancel_puts_a_dragged_vertex_back() -> None:

@@ -120,7 +120,7 @@ def test_holes_that_meet_are_refused_and_shown(face: Driver) -> None:
     face.drag("source", (72, 62), (40, 66), (30, 66))
     refusal = face.session.refusal
     assert refusal is not None
-    assert refusal.place is not None
+    assert refusal.places
     assert face.document.shape("source").rings == (FACE, LEFT_EYE, RIGHT_EYE)
 
 
