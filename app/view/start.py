@@ -11,6 +11,7 @@ from app.recovery.journal import crashes_logged
 from app.session import Session
 from app.view.beginning import begun
 from app.view.canvas.clipboard import leave_clipboard
+from app.view.collecting import collecting_here
 from app.view.faults import Faults
 from app.view.files.remembered import last_file, theme_name
 from app.view.main_window import MainWindow
@@ -28,7 +29,7 @@ def run(path: Path | None) -> int:
     application.setOrganizationName("starskel")
     speak(application, spoken(chosen(), QLocale.system()))
     apply_theme(application, _theme(application))
-    with crashes_logged():
+    with crashes_logged(), collecting_here():
         window = MainWindow(Session())
         Faults(window, window.recovering.keeper).watch()
         window.convenience.restore()

@@ -1,5 +1,6 @@
 """Qt without a screen, a window to drive with real events, and a check that nothing is left alive."""
 
+import gc
 import os
 from collections.abc import Iterator
 
@@ -32,6 +33,14 @@ def nothing_left_alive(request: pytest.FixtureRequest) -> Iterator[None]:
     yield
     left = left_alive()
     assert not left, f"{request.node.name} leaves {left}"
+
+
+@pytest.fixture(autouse=True)
+def garbage_left_to_this_thread() -> Iterator[None]:
+    """Let no worker destroy a widget of a test; between tests all garbage is collected here."""
+    gc.disable()
+    yield
+    gc.enable()
 
 
 @pytest.fixture(autouse=True)
