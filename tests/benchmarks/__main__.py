@@ -2,7 +2,7 @@
 
 import argparse
 
-from tests.benchmarks import algorithms, blending, decomposing, editing, fluency, images
+from tests.benchmarks import algorithms, blending, decomposing, editing, fluency, holes, images
 
 parser = argparse.ArgumentParser(description="Show speed as ratios within one run, and prove seeded results.")
 parser.add_argument("--seed", type=int, default=0, help="of the pairs that are decomposed and proven")
@@ -15,6 +15,7 @@ decomposing.steiner_vertices(arguments.seed, arguments.pairs)
 algorithms.algorithms(arguments.seed, arguments.pairs)
 decomposing.any_seed(arguments.seed, arguments.pairs)
 blending.frames(arguments.most)
+holes.holes(range(20), 21, ("stitched", "certified"))
 images.pictures()
 editing.editing(arguments.most)
 fluency.lateness()

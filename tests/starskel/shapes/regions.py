@@ -3,7 +3,10 @@
 import numpy as np
 import shapely
 
+import starskel
+from starskel import Shape
 from starskel.predicates import Floats
+from starskel.shapes.correspondence import ShapeCorrespondence
 from tests.families import two_opt
 
 
@@ -20,3 +23,12 @@ def holed(n: int, holes: int, seed: int) -> list[Floats]:
         spokes = np.stack([np.cos(angles), np.sin(angles)], axis=1) * reach[:, None]
         rings.append(shapely.get_coordinates(widest)[0] + spokes)
     return rings
+
+
+def holed_pair(seed: int) -> ShapeCorrespondence:
+    """Two shapes that have nothing but the number of holes in common, one to four."""
+    rng = np.random.default_rng(seed)
+    holes, n, m = 1 + seed % 4, *rng.integers(8, 20, 2).tolist()
+    source, target = Shape(holed(n, holes, 2 * seed)), Shape(holed(m, holes, 2 * seed + 1))
+    links = [(k, k) for k in range(holes + 1)]
+    return starskel.match(source, target, [[(0, 0)]] * (holes + 1), pairing=links)

@@ -6,25 +6,18 @@ import numpy as np
 import pytest
 import shapely
 
-import starskel
-from starskel import Shape
 from starskel.decomposition.verify import faults
 from starskel.shapes.bridges import chain_of, halves
 from starskel.shapes.regions import decompose_region
 from starskel.task import UNWATCHED
-from tests.starskel.shapes.regions import holed
+from tests.starskel.shapes.regions import holed_pair
 
 SEEDS = range(12)
 
 
 @cache
 def pair_of(seed: int):
-    """Two shapes that have nothing but the number of holes in common."""
-    rng = np.random.default_rng(seed)
-    holes, n, m = 1 + seed % 4, *rng.integers(8, 20, 2).tolist()
-    source, target = Shape(holed(n, holes, 2 * seed)), Shape(holed(m, holes, 2 * seed + 1))
-    links = [(k, k) for k in range(holes + 1)]
-    (part,) = starskel.match(source, target, [[(0, 0)]] * (holes + 1), pairing=links).parts
+    (part,) = holed_pair(seed).parts
     return part.pair
 
 

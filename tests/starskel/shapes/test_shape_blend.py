@@ -10,6 +10,7 @@ import starskel
 from starskel import METHODS, Shape, StarskelError
 from starskel.decomposition.verify import faults
 from tests.starskel.shapes.drawn import BAR, COLON, EIGHT, FACE, LETTERS, A, B, I, O, ellipse, moved
+from tests.starskel.shapes.regions import holed_pair
 
 TURNING = tuple(method for method in METHODS if method not in ("vertex", "certified"))
 TIMES = np.linspace(0, 1, 41)
@@ -181,6 +182,16 @@ def test_certified_parts_that_would_pass_through_each_other_go_round_each_other(
         parts = blend.shape_at(t)
         assert parts.is_valid  # holes stay inside, and parts apart
         assert len(parts.geoms) == sum(outer < 0 for outer in pair.outer)
+
+
+@pytest.mark.parametrize("seed", [2, 27])
+def test_holes_that_stitched_pushes_out_stay_inside_by_certified(seed):
+    pair, times = holed_pair(seed), np.linspace(0, 1, 21)
+    stitched = starskel.blend(pair, method="stitched")
+    assert not all(stitched.shape_at(t).is_valid for t in times)
+    blend = starskel.blend(pair, method="certified")
+    assert blend.repaired
+    assert all(blend.shape_at(t).is_valid for t in times)
 
 
 def test_a_certified_blend_says_which_rings_have_to_meet():
