@@ -15,8 +15,8 @@ from starskel.export.write import write
 from starskel.files.image_pairs import placed_image
 from starskel.files.picture import Picture
 from starskel.files.step import Step
-from starskel.images.morph import SOLID, ImageMorph
-from starskel.images.placed import PlacedImage
+from starskel.images.morph import ImageMorph
+from starskel.images.placed import SOLID, PlacedImage
 from starskel.sheet.keyframe import Shown
 from starskel.sheet.style import USUAL as USUAL_LOOK
 from starskel.sheet.style import Look

@@ -15,6 +15,7 @@ from PySide6.QtCore import QObject, QThread, Signal, Slot
 
 from starskel.errors import Cancelled, StarskelError
 from starskel.files.picture import Picture
+from starskel.images.placed import SOLID
 
 if TYPE_CHECKING:  # what blends and paints is loaded by the worker, so that the window opens sooner
     from starskel import Blend, Decomposition, ShapeBlend
@@ -22,9 +23,6 @@ if TYPE_CHECKING:  # what blends and paints is loaded by the worker, so that the
 
 KEPT = 8
 """So many blends keep what was prepared for their pictures."""
-
-SOLID = 2
-"""So near to the outlines, in pixels, pictures count as opaque: outlines are not drawn more exactly."""
 
 View = tuple[float, float, float, float]
 

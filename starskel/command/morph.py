@@ -12,7 +12,8 @@ from starskel.easing import EVEN, Easing
 from starskel.errors import InvalidFile
 from starskel.export.morphs import PNG, MorphSettings, check_ending, write_morph
 from starskel.export.settings import Settings, even_times
-from starskel.images.morph import SOLID, ImageMorph, smooth
+from starskel.images.morph import ImageMorph, smooth
+from starskel.images.placed import SOLID
 from starskel.task import Task
 
 

@@ -12,8 +12,8 @@ from starskel.blending.frames import Blend
 from starskel.easing import EVEN, Easing
 from starskel.errors import InvalidFile, StarskelError, told
 from starskel.export.settings import Settings
-from starskel.images.morph import SOLID, ImageMorph
-from starskel.images.placed import Pixels, PlacedImage
+from starskel.images.morph import ImageMorph
+from starskel.images.placed import SOLID, Pixels, PlacedImage
 from starskel.predicates import Floats
 from starskel.quality import Report, ShapeReport
 from starskel.shapes.shape_blend import ShapeBlend

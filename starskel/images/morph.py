@@ -16,7 +16,8 @@ place of that triangle in source and target tells where to look in both pictures
 """
 
 from collections.abc import Callable, Collection, Sequence
-from typing import Literal
+from functools import cached_property
+from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,26 +27,26 @@ from starskel.decomposition.pieces import Decomposition
 from starskel.errors import StarskelError
 from starskel.images.canvas import Canvas, Image, lay, trim
 from starskel.images.carriers import carriers_of
+from starskel.images.given import (
+    Size,
+    View,
+    checked_share,
+    checked_size,
+    checked_solid,
+    checked_view,
+    choice,
+)
 from starskel.images.part import Part, Seen, part_of
 from starskel.images.placed import Pixels, PlacedImage
 from starskel.images.precise import Precise
 from starskel.images.preview import Preview
-from starskel.limits import PICTURE_SIDE
 from starskel.shapes.shape_blend import ShapeBlend
 from starskel.task import Progress, ShouldStop, Task
-
-View = tuple[float, float, float, float]
-"""A box in the document: left, bottom, right, top."""
 
 Fade = Callable[[float], float]
 """Gives for each t how much of the target's picture is seen, from 0 to 1."""
 
-Size = tuple[int, int]
-
 Quality = Literal["precise", "preview"]
-
-SOLID = 2
-"""So near to the outlines, in pixels, pictures count as opaque by default: outlines are not more exact."""
 
 _LOOKS = 33
 """So many frames are looked at to find a view that shows all of them."""
@@ -83,7 +84,7 @@ class ImageMorph:
     Raises
     ------
     StarskelError
-        If there is no picture.
+        If there is no picture, or what is given is none.
     Cancelled
         If ``should_stop`` answered True.
 
@@ -112,19 +113,19 @@ class ImageMorph:
         progress: Progress | None = None,
         should_stop: ShouldStop | None = None,
     ) -> None:
-        if source is None and target is None:
-            raise StarskelError("there is no picture", "give one for the source or the target")
+        _check_pictures(source, target)
         task = Task(progress, should_stop)
         self.fade = fade
         self.blend = blend
         self._parts: list[Part] = []
+        width = checked_solid(solid)
         carriers = carriers_of(blend, decomposition, task.part(0, 0.7))
         for number, carrier in enumerate(carriers):
             task.reach(0.7 + 0.3 * number / len(carriers))
-            self._parts.append(part_of(carrier, source, target, solid))
+            self._parts.append(part_of(carrier, source, target, width))
         task.reach(1)
 
-    @property
+    @cached_property
     def view(self) -> View:
         """A view that shows all frames, and a little around them."""
         looks = np.linspace(0, 1, _LOOKS).tolist()
@@ -162,12 +163,14 @@ class ImageMorph:
         Raises
         ------
         StarskelError
-            Where t is not a number from 0 to 1, or there is something wrong with the size or the view.
+            Where t is not a number from 0 to 1, or there is something wrong with the size, the view or the
+        quality.
         """
         time = float(checked_times([t])[0])
-        box = _checked_view(self.view if view is None else view)
-        width, height = _checked_size(size, box)
-        seen = Seen(time, (width, height), box, _checked_share(self.fade(time)))
+        box = self.view if view is None else checked_view(view)
+        width, height = checked_size(size, box)
+        choice(quality, get_args(Quality), "the quality")
+        seen = Seen(time, (width, height), box, checked_share(self.fade(time)))
         parts = [part for part in self._parts if part.carrier.number not in hidden]
         if quality == "preview":
             pixels = _painted(Preview(), parts, seen, premultiplied)
@@ -225,6 +228,16 @@ def image_morph(  # noqa: PLR0913, PLR0917 -- what is seen, of what, and when
     return ImageMorph(blend, source, target, fade=fade, solid=solid).at(t, size, view)
 
 
+def _check_pictures(source: object, target: object) -> None:
+    if source is None and target is None:
+        raise StarskelError("there is no picture", "give one for the source or the target")
+    for name, given in (("source", source), ("target", target)):
+        if not isinstance(given, PlacedImage | None):
+            raise StarskelError(
+                f"the picture of the {name} is of type {type(given).__name__}", "give a PlacedImage"
+            )
+
+
 def _painted(
     canvas: Canvas[Image], parts: Sequence[Part], seen: Seen, premultiplied: bool
 ) -> NDArray[np.uint8]:
@@ -243,31 +256,3 @@ def _painted(
         else:
             lay(canvas, image, covered, front, frame.coverage)
     return canvas.premultiplied(image) if premultiplied else canvas.straight(image)
-
-
-def _checked_view(view: View) -> View:
-    left, bottom, right, top = (float(side) for side in view)
-    if not (np.isfinite([left, bottom, right, top]).all() and left < right and bottom < top):
-        raise StarskelError(
-            f"the view {(left, bottom, right, top)} has no area", "give its left, bottom, right and top"
-        )
-    return left, bottom, right, top
-
-
-def _checked_size(size: Size | int, view: View) -> Size:
-    left, bottom, right, top = view
-    if isinstance(size, int):
-        scale = size / max(right - left, top - bottom)
-        size = max(1, round((right - left) * scale)), max(1, round((top - bottom) * scale))
-    width, height = size
-    if not 1 <= min(width, height) <= max(width, height) <= PICTURE_SIDE:
-        raise StarskelError(
-            f"an image of {width} × {height} pixels", f"give from 1 to {PICTURE_SIDE} pixels a side"
-        )
-    return width, height
-
-
-def _checked_share(share: float) -> float:
-    if not 0 <= share <= 1:
-        raise StarskelError(f"the fade gives {share:g}", "let it give numbers from 0 to 1")
-    return float(share)

@@ -4,12 +4,17 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from starskel.errors import StarskelError
+from starskel.images.given import finite
 from starskel.limits import PICTURE_SIDE
 from starskel.polar import as_complex
 from starskel.predicates import Floats
 
 Pixels = NDArray[np.uint8]
 """(h, w, 4) rows from top to bottom: red, green, blue, and alpha, which is straight."""
+
+SOLID = 2
+"""So near to the outlines, in pixels, the command and the editor take pictures as opaque: outlines that were
+drawn or traced are not more exact."""
 
 
 class PlacedImage:
@@ -58,9 +63,16 @@ class PlacedImage:
             In the document's units.
         rotation : float
             In radians, counter-clockwise.
+
+        Raises
+        ------
+        StarskelError
+            If these are no pixels, or the box no finite numbers or without area.
         """
+        (x, y), (across, down) = (finite(middle, 2, "the middle"), finite(size, 2, "the size"))
+        (turn,) = finite([rotation], 1, "the rotation")
         height, width = _checked_pixels(pixels).shape[:2]
-        return cls(pixels, box_placement(middle, size, rotation) / (width, height, 1))
+        return cls(pixels, box_placement((x, y), (across, down), turn) / (width, height, 1))
 
     def to_document(self, places: ArrayLike) -> Floats:
         """Give where (..., 2) places in the picture are in the document."""
@@ -88,7 +100,10 @@ def box_placement(middle: tuple[float, float], size: tuple[float, float], rotati
 
 
 def _checked_pixels(given: ArrayLike) -> Pixels:
-    pixels = np.asarray(given)
+    try:
+        pixels = np.asarray(given)
+    except ValueError:  # rows of different lengths
+        pixels = np.empty(0)
     if pixels.dtype != np.uint8 or pixels.ndim != 3 or pixels.shape[2] not in (3, 4) or not pixels.size:
         raise StarskelError(
             f"a picture of shape {pixels.shape} and type {pixels.dtype}",
@@ -106,10 +121,13 @@ def _checked_pixels(given: ArrayLike) -> Pixels:
 
 
 def _checked_placement(given: ArrayLike) -> Floats:
-    matrix = np.asarray(given, dtype=np.float64)
+    try:
+        matrix = np.asarray(given, dtype=np.float64)
+    except (TypeError, ValueError):
+        matrix = np.empty(0)
     if matrix.shape != (2, 3) or not np.isfinite(matrix).all() or not np.linalg.det(matrix[:, :2]):
         raise StarskelError(
-            f"the placement {matrix.tolist()} of a picture",
+            f"the placement {given!r} of a picture",
             "give an affine map, two rows of three finite numbers, that keeps an area",
         )
     return matrix

@@ -1,19 +1,23 @@
 """Outlines of what is seen in a picture: by its alpha, or by how dark or light it is."""
 
 from collections.abc import Sequence
-from typing import Literal
+from typing import Literal, get_args
 
 import contourpy
 import numpy as np
 import shapely
 
 from starskel.errors import StarskelError, told
+from starskel.images.given import choice, finite
 from starskel.images.placed import Pixels, PlacedImage
 from starskel.predicates import Floats
 from starskel.shapes.shape import Shape
 
 By = Literal["alpha", "dark", "light"]
 """What is traced: what is opaque, what is darker than a level, or what is lighter."""
+
+Parts = Literal["largest", "all"]
+"""Only the part with the largest area, or all of them but for specks."""
 
 LARGEST_TRACED = 2048
 """Pictures of more pixels a side are traced at a half, a third, ... of their size."""
@@ -36,7 +40,7 @@ def trace(  # noqa: PLR0913 -- what is seen, and how much of it
     level: float = 0.5,
     tolerance: float = 1.0,
     *,
-    parts: Literal["largest", "all"] = "largest",
+    parts: Parts = "largest",
     holes: bool = True,
 ) -> Shape:
     """Give the outline of what is seen in a picture, in the document's coordinates.
@@ -62,7 +66,7 @@ def trace(  # noqa: PLR0913 -- what is seen, and how much of it
     Raises
     ------
     StarskelError
-        If nothing is found, the outline is too rugged, or a number is out of its range.
+        If nothing is found, the outline is too rugged, or something given is not among what it may be.
 
     Examples
     --------
@@ -74,6 +78,7 @@ def trace(  # noqa: PLR0913 -- what is seen, and how much of it
     >>> starskel.trace(starskel.PlacedImage(picture))
     Shape of 1 parts with 1 holes
     """
+    _check_names(image, by, parts)
     _check(level, tolerance)
     chosen = by or usual(image.pixels, level)
     step = -(-max(image.pixels.shape) // LARGEST_TRACED)
@@ -109,7 +114,16 @@ def usual(pixels: Pixels, level: float = 0.5) -> By:
     return "dark" if np.median(border[:, :3] @ _LUMA) > 255 * level else "light"
 
 
+def _check_names(image: object, by: object, parts: object) -> None:
+    if not isinstance(image, PlacedImage):
+        raise StarskelError(f"a picture of type {type(image).__name__}", "give a PlacedImage")
+    if by is not None:
+        choice(by, get_args(By), "what is traced")
+    choice(parts, get_args(Parts), "the choice of parts")
+
+
 def _check(level: float, tolerance: float) -> None:
+    finite([level, tolerance], 2, "the level and the tolerance")
     if not 0 < level < 1:
         raise StarskelError(f"a level of {level:g}", "give a number between 0 and 1")
     if not 0 <= tolerance < np.inf:
@@ -147,9 +161,7 @@ def _contours(values: Floats, level: float) -> list[shapely.Polygon]:
     return regions
 
 
-def _kept(
-    regions: Sequence[shapely.Polygon], parts: Literal["largest", "all"], holes: bool
-) -> list[shapely.Polygon]:
+def _kept(regions: Sequence[shapely.Polygon], parts: Parts, holes: bool) -> list[shapely.Polygon]:
     """Leave out specks and pinholes; the largest part comes first."""
     ordered = sorted(regions, key=lambda region: -shapely.Polygon(region.exterior).area)
     least = LEAST_SHARE * shapely.Polygon(ordered[0].exterior).area

@@ -230,6 +230,35 @@ def test_bad_input_is_refused(pair):
         morph.at(0.5, 8, (1, 0, 0, 1))
     with pytest.raises(starskel.StarskelError, match=r"the fade gives 1\.5"):
         ImageMorph(blend, picture, fade=lambda t: 1.5).at(0.5)
+    for more, message in (
+        ({"size": 0.5}, r"the size is 0\.5; give width and height"),
+        ({"size": "8"}, "the size is '8'"),
+        ({"size": (8, 8, 8)}, "the size is"),
+        ({"size": True}, "the size is True"),
+        ({"view": (0, 0, 1)}, "is given for the view; give 4 finite numbers"),
+        ({"view": (0, 0, np.nan, 1)}, "given for the view"),
+        ({"quality": "best"}, "'best' is given for the quality; give 'precise' or 'preview'"),
+    ):
+        with pytest.raises(starskel.StarskelError, match=message):
+            morph.at(0.5, **more)
+    for fade in (lambda t: None, lambda t: np.nan):
+        with pytest.raises(starskel.StarskelError, match="is given for what the fade gives"):
+            ImageMorph(blend, picture, fade=fade).at(0.5)
+    for solid in (-1, 0.5, "2"):
+        with pytest.raises(starskel.StarskelError, match=r"solid is .*; give a whole number"):
+            ImageMorph(blend, picture, solid=solid)
+    with pytest.raises(
+        starskel.StarskelError, match="the picture of the target is of type ndarray; give a Pl"
+    ):
+        ImageMorph(blend, picture, picture.pixels)
+    for more in ({"middle": "ab"}, {"size": (1, np.inf)}, {"middle": (1, 2, 3)}, {"rotation": "a"}):
+        with pytest.raises(starskel.StarskelError, match=r"is given for the .*; give . finite numbers"):
+            PlacedImage.in_box(picture.pixels, **{"middle": (0, 0), "size": (1, 1)} | more)
+    for pixels in ("a", [[1, 2], [3]], None):
+        with pytest.raises(starskel.StarskelError, match="a picture of shape"):
+            PlacedImage(pixels)
+    with pytest.raises(starskel.StarskelError, match="the placement 'a' of a picture"):
+        PlacedImage(picture.pixels, "a")
     with pytest.raises(starskel.StarskelError, match=r"shape \(4, 4\) and type uint8"):
         PlacedImage(np.zeros((4, 4), dtype=np.uint8))
     with pytest.raises(starskel.StarskelError, match="scale it down to at most 16384"):

@@ -115,6 +115,16 @@ def test_bad_input_is_refused():
         trace(nothing, level=1)
     with pytest.raises(starskel.StarskelError, match="a tolerance of -1"):
         trace(nothing, tolerance=-1)
+    with pytest.raises(
+        starskel.StarskelError, match="'red' is given for what is traced; give 'alpha' or 'dark' or"
+    ):
+        trace(nothing, by="red")
+    with pytest.raises(starskel.StarskelError, match="'some' is given for the choice of parts"):
+        trace(nothing, parts="some")
+    with pytest.raises(starskel.StarskelError, match="is given for the level and the tolerance"):
+        trace(nothing, level="half")
+    with pytest.raises(starskel.StarskelError, match="a picture of type ndarray"):
+        trace(nothing.pixels)
     with pytest.raises(starskel.StarskelError, match="choose a larger tolerance: 20000"):
         trace(PlacedImage(noise(400, 400)), tolerance=0, parts="all")
 
