@@ -79,7 +79,7 @@ class MainWindow(QMainWindow):
         self.addToolBar(self.options)
         self.options.left.connect(self._focus_canvas)
         self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, tool_palette(self.actions_table))
-        self.beginning = Beginning(self.actions_table["begin"])
+        self.beginning = Beginning(self.actions_table)
         self.setCentralWidget(self._body())
         self.marks = MarksPanel(session)
         self._marks_dock = self._dock(self.marks, self.tr("Marks"), "marks")

@@ -790,6 +790,14 @@
         <translation>Erste Schritte schließen</translation>
     </message>
     <message>
+        <source>{keys}, then click a vertex and the one that it becomes.</source>
+        <translation>{keys}, dann eine Ecke anklicken und die, zu der sie wird.</translation>
+    </message>
+    <message>
+        <source>{keys} writes keyframes, an animation or numbers.</source>
+        <translation>{keys} schreibt Schlüsselbilder, eine Animation oder Zahlen.</translation>
+    </message>
+    <message>
         <source>Draw</source>
         <translation>Zeichnen</translation>
     </message>
@@ -802,8 +810,8 @@
         <translation>Markieren</translation>
     </message>
     <message>
-        <source>M, then click a vertex and the one that it becomes.</source>
-        <translation>M, dann eine Ecke anklicken und die, zu der sie wird.</translation>
+        <source>{keys} plays; drag the slider to any moment.</source>
+        <translation>{keys} spielt ab; der Regler führt zu jedem Augenblick.</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -818,16 +826,8 @@
         <translation>Abspielen</translation>
     </message>
     <message>
-        <source>P plays; drag the slider to any moment.</source>
-        <translation>P spielt ab; der Regler führt zu jedem Zeitpunkt.</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>Ctrl+E writes keyframes, an animation or numbers.</source>
-        <translation>Strg+E schreibt Schlüsselbilder, eine Animation oder Zahlen.</translation>
     </message>
 </context>
 <context>

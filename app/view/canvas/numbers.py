@@ -14,6 +14,7 @@ from app.session import Session
 from app.tools import numbers
 from app.tools.tool import Response, Scene
 from app.view.canvas.option_pages import Page
+from app.view.wording.decimal_field import DecimalField
 
 
 @dataclass(frozen=True)
@@ -92,8 +93,8 @@ class Placing(Page):
             field.setValue(value or 0.0)
             field.blockSignals(False)
 
-    def _box(self, label: str, name: str, tip: str) -> QDoubleSpinBox:
-        box = QDoubleSpinBox()
+    def _box(self, label: str, name: str, tip: str) -> DecimalField:
+        box = DecimalField()
         box.setObjectName(name)
         box.setRange(-1e6, 1e6)
         box.setDecimals(2)

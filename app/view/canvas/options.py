@@ -3,13 +3,14 @@
 from dataclasses import replace
 
 from PySide6.QtCore import QSize, Qt, Signal, Slot
-from PySide6.QtWidgets import QDoubleSpinBox, QLabel, QSizePolicy, QStackedWidget, QToolBar
+from PySide6.QtWidgets import QLabel, QSizePolicy, QStackedWidget, QToolBar
 
 from app.session import Session
 from app.view.canvas.numbers import Numbers
 from app.view.canvas.option_pages import Field, Page, TextPage, TolerancePage
 from app.view.canvas.picture_page import PicturePage
 from app.view.commands.actions import Actions
+from app.view.wording.decimal_field import DecimalField
 
 SWITCHES = {
     "snap-vertices": "vertices",
@@ -46,7 +47,7 @@ class OptionsBar(QToolBar):
         for page in self.pages.values():
             self._stack.addWidget(page)
             page.left.connect(self.left)
-        self._spacing = QDoubleSpinBox()
+        self._spacing = DecimalField()
         self._arrange()
         session.tool_changed.connect(self._follow_tool)
         session.settings_changed.connect(self._follow_settings)

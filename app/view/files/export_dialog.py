@@ -6,7 +6,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QDialogButtonBox,
-    QDoubleSpinBox,
     QFormLayout,
     QHBoxLayout,
     QLabel,
@@ -22,6 +21,7 @@ from app.view.files.overlay_fields import OverlayFields
 from app.view.painting.display import Display
 from app.view.timeline.player import Player
 from app.view.wording import words
+from app.view.wording.decimal_field import DecimalField
 
 _LAYOUTS: tuple[tuple[Layout, object], ...] = (
     ("row", QT_TRANSLATE_NOOP("ExportDialog", "Keyframes in a row")),
@@ -61,11 +61,11 @@ class ExportDialog(QDialog):
         self._frames = QSpinBox()
         self._frames.setRange(2, 240)
         self._frames.setValue(6)
-        self._t = QDoubleSpinBox()
+        self._t = DecimalField()
         self._t.setRange(0, 1)
         self._t.setSingleStep(0.01)
         self._t.setValue(player.t)
-        self._seconds = QDoubleSpinBox()
+        self._seconds = DecimalField()
         self._seconds.setRange(0.1, 600)
         self._seconds.setSuffix(self.tr(" s"))
         self._seconds.setValue(player.duration)

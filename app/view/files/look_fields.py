@@ -3,9 +3,10 @@
 from enum import Enum
 
 from PySide6.QtCore import Slot
-from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QFormLayout, QHBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QHBoxLayout, QWidget
 
 from app.view.files.colour_button import ColourButton
+from app.view.wording.decimal_field import DecimalField
 from starskel.sheet.drawing import Stroke
 from starskel.sheet.style import INK, OUTLINE, PAPER, USUAL, WAY, Look
 
@@ -88,8 +89,8 @@ class LookFields(QWidget):
             if label and (caption := form.labelForField(row)) is not None:
                 caption.setBuddy(fields[0])  # type: ignore[attr-defined]
 
-    def _length(self, value: float, least: float, most: float, step: float) -> QDoubleSpinBox:
-        field = QDoubleSpinBox()
+    def _length(self, value: float, least: float, most: float, step: float) -> DecimalField:
+        field = DecimalField()
         field.setRange(least, most)
         field.setSingleStep(step)
         field.setDecimals(1)

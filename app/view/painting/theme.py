@@ -20,6 +20,8 @@ class Theme:
     ----------
     window, base, button, edge : str
         Grounds: of the window, of canvases and fields, of controls; and the thin lines between them.
+    frame : str
+        What the style darkens to outline boxes that are checked; of the theme's lightness.
     text, muted : str
         Writing, and writing that may be overlooked.
     accent, on_accent : str
@@ -37,6 +39,7 @@ class Theme:
     base: str
     button: str
     edge: str
+    frame: str
     text: str
     muted: str
     accent: str
@@ -74,6 +77,7 @@ LIGHT = Theme(
     base="#ffffff",
     button="#fafbfc",
     edge="#cfd4da",
+    frame="#eef0f3",
     text="#1d2329",
     muted="#5b6570",
     accent="#1a66d6",
@@ -94,6 +98,7 @@ DARK = Theme(
     base="#181b1f",
     button="#2d3238",
     edge="#444b53",
+    frame="#707a85",
     text="#e6e9ec",
     muted="#a3adb8",
     accent="#5b9cf5",
@@ -107,6 +112,10 @@ DARK = Theme(
     pieces=("#35588a", "#8a5527", "#3a7047", "#704a80", "#7d6a24", "#2c6f73", "#84435a", "#655748"),
     methods=("#6ba4ee", "#ef9a4d", "#7ccf86", "#d08be6", "#5cc8ce", "#e0b64a"),
 )
+
+
+FRAMED = ("QCheckBox", "QRadioButton", "QListView", "QTreeView", "QTableView")
+"""Widgets with boxes to be checked, which Fusion outlines darker than the window: unseen on a dark one."""
 
 
 def mixed(a: QColor, b: QColor, share: float) -> QColor:
@@ -123,6 +132,10 @@ def apply_theme(application: QApplication, theme: Theme) -> None:
     """Set style and palette of the whole program."""
     application.setStyle("Fusion")
     application.setPalette(palette_of(theme))
+    framed = palette_of(theme)
+    framed.setColor(QPalette.ColorRole.Window, QColor(theme.frame))
+    for widgets in FRAMED:
+        application.setPalette(framed, widgets)  # type: ignore[arg-type]  # its stub says bytes, it takes str
 
 
 def palette_of(theme: Theme) -> QPalette:

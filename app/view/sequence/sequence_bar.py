@@ -2,7 +2,6 @@
 
 from PySide6.QtCore import QRectF, QSignalBlocker, QSize, Qt, Slot
 from PySide6.QtWidgets import (
-    QDoubleSpinBox,
     QFrame,
     QGridLayout,
     QHBoxLayout,
@@ -20,6 +19,7 @@ from app.view.sequence.key_strip import KeyStrip
 from app.view.sequence.sequencing import Sequencing
 from app.view.timeline.player import Player
 from app.view.wording import words
+from app.view.wording.decimal_field import DecimalField
 
 LONGEST = 600.0
 """Seconds that a step takes at most."""
@@ -71,8 +71,8 @@ class SequenceBar(QWidget):
         grid.addWidget(alone, 2, 0, 1, 4)
         return grid
 
-    def _duration_field(self) -> QDoubleSpinBox:
-        self.duration = QDoubleSpinBox()
+    def _duration_field(self) -> DecimalField:
+        self.duration = DecimalField()
         self.duration.setObjectName("duration")
         self.duration.setAccessibleName(self.tr("Duration of the step"))
         self.duration.setToolTip(self.tr("How long the step on the canvases takes, at speed 1"))

@@ -4,7 +4,6 @@ from PySide6.QtCore import QPointF, QSignalBlocker, QSize, Qt, Slot
 from PySide6.QtGui import QAction, QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QComboBox,
-    QDoubleSpinBox,
     QGridLayout,
     QHBoxLayout,
     QToolButton,
@@ -22,6 +21,7 @@ from app.view.timeline.player import Player
 from app.view.timeline.strip_chart import StripChart, method_pen
 from app.view.timeline.time_slider import TimeSlider
 from app.view.wording import words
+from app.view.wording.decimal_field import DecimalField
 from starskel.blending import METHODS
 
 SPEEDS = (0.25, 0.5, 1.0, 2.0, 4.0)
@@ -89,8 +89,8 @@ class Timeline(QWidget):
         self._speed.currentIndexChanged.connect(self._choose_speed)
         return self._speed
 
-    def _t_field(self) -> QDoubleSpinBox:
-        field = QDoubleSpinBox()
+    def _t_field(self) -> DecimalField:
+        field = DecimalField()
         field.setObjectName("t")
         field.setAccessibleName(self.tr("Time t"))
         field.setToolTip(self.tr("The moment shown, from 0 (source) to 1 (target)"))

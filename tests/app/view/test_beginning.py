@@ -1,5 +1,7 @@
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
 
 from app.view.beginning import begun
 from app.view.main_window import MainWindow
@@ -31,3 +33,14 @@ def test_what_was_put_away_comes_again_from_the_help_menu(window: MainWindow) ->
     window.actions_table["begin"].trigger()
     assert window.beginning.isVisible()
     assert window.actions_table["begin"].isChecked()
+
+
+def test_the_lines_name_the_keys_that_the_user_has_set(window: MainWindow) -> None:
+    def lines() -> str:
+        return " ".join(label.text() for label in window.beginning.findChildren(QLabel))
+
+    assert "P plays" in lines()
+    window.actions_table["play"].setShortcut(QKeySequence("Ctrl+7"))
+    assert "Ctrl+7 plays" in lines()
+    window.actions_table["play"].setShortcut(QKeySequence())
+    assert "Play plays" in lines()
