@@ -25,7 +25,8 @@ examples:
   starskel measure shapes.json --json > figures.json
   starskel convert icons.svg --shape heart --shape star -o drawing.json
 
-exit status: 0 done, 2 something is wrong with what was given, 130 interrupted, 141 nobody reads the output
+exit status: 0 done, 2 something is wrong with what was given (of batch, gallery, info and measure: something
+failed, all else is done), 130 interrupted, 141 nobody reads the output
 """
 
 

@@ -759,6 +759,46 @@
         <source>nest at most {most} elements</source>
         <translation>verschachteln Sie höchstens {most} Elemente</translation>
     </message>
+    <message>
+        <source>{value:g} is no {what}</source>
+        <translation>{value:g} ist keine {what}</translation>
+    </message>
+    <message>
+        <source>give one from {least:g} to {most:g}</source>
+        <translation>eine von {least:g} bis {most:g} angeben</translation>
+    </message>
+    <message>
+        <source>number of frames</source>
+        <translation>Anzahl von Bildern</translation>
+    </message>
+    <message>
+        <source>number of seconds</source>
+        <translation>Dauer in Sekunden</translation>
+    </message>
+    <message>
+        <source>number of pictures a second</source>
+        <translation>Zahl von Bildern je Sekunde</translation>
+    </message>
+    <message>
+        <source>number of pixels a side</source>
+        <translation>Zahl von Pixeln je Seite</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>size in points</source>
+        <translation>Größe in Punkten</translation>
+    </message>
+    <message>
+        <source>distance in points</source>
+        <translation>Entfernung in Punkten</translation>
+    </message>
+    <message>
+        <source>width in points</source>
+        <translation>Breite in Punkten</translation>
+    </message>
 </context>
 <context>
     <name>AboutDialog</name>

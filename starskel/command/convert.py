@@ -10,7 +10,8 @@ import msgspec
 import numpy as np
 import shapely
 
-from starskel.command.holdings import NamedShape, holdings, pair_of
+from starskel.command.holdings import NamedShape, check_texts, holdings, pair_of
+from starskel.command.written import written_text
 from starskel.errors import InvalidFile
 from starskel.export.svg import svg_text
 from starskel.files.disk import write_bytes
@@ -29,17 +30,23 @@ def run(arguments: Namespace) -> int:
         raise InvalidFile(
             f'{arguments.output} ends in "{arguments.output.suffix}"', "end it in " + ", ".join(_WRITERS)
         )
+    check_texts(arguments.files, arguments.text)
     shapes: list[NamedShape] = []
+    told: list[str] = []
     for path in arguments.files:
         held = holdings(path, arguments.tolerance, arguments.text)
         shapes += held.shapes
-        for named in held.shapes:
-            for repair in named.repairs:
-                print(f"{path}: {named.name}: {repair}", file=sys.stderr)
-        for note in held.notes:
-            print(f"{path}: {note}", file=sys.stderr)
+        told += [f"{path}: {named.name}: {repair}" for named in held.shapes for repair in named.repairs]
+        told += [f"{path}: {note}" for note in held.notes]
+    for sentence in told:
+        print(sentence, file=sys.stderr)
     chosen = _chosen(shapes, arguments.shape)
-    _WRITERS[ending](arguments.output, chosen[:2] if ending == ".json" and not arguments.shape else chosen)
+    if ending == ".json" and not arguments.shape:
+        chosen = chosen[:2]
+    _WRITERS[ending](arguments.output, chosen)
+    if arguments.json:
+        names = [named.name for named in chosen]
+        print(written_text([arguments.output], shapes=names, mended=told), end="")
     return 0
 
 

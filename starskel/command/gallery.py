@@ -12,6 +12,7 @@ from starskel.command import FAILED
 from starskel.command.opening import Opened, named, opened
 from starskel.command.progress import Progress
 from starskel.command.shapes import Way, blends_of, comparison
+from starskel.command.written import written_text
 from starskel.errors import StarskelError
 from starskel.export.film import Scene
 from starskel.export.settings import even_times
@@ -46,7 +47,12 @@ def run(arguments: Namespace) -> int:
             write_bytes(folder / f"{exhibit.name}.svg", svg_text(exhibit.sheet).encode())
             exhibits.append(exhibit)
     write_bytes(folder / "index.html", gallery_page(exhibits, failures).encode())
-    print(f"{folder / 'index.html'}: {len(exhibits)} of {len(found)} pairs")
+    page = folder / "index.html"
+    if arguments.json:
+        sheets = [folder / f"{exhibit.name}.svg" for exhibit in exhibits]
+        print(written_text([page, *sheets], failures=failures), end="")
+    else:
+        print(f"{page}: {len(exhibits)} of {len(found)} pairs")
     return FAILED if failures else 0
 
 

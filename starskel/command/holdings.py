@@ -13,12 +13,14 @@ from starskel.files.pairs import ShapePair
 from starskel.files.project import AnyPair, letter
 from starskel.files.project_file import read_project
 from starskel.reading.found import Found as NamedShape
-from starskel.reading.readers import ENDINGS, read_shapes
+from starskel.reading.readers import ENDINGS, FORMATS, read_shapes
 from starskel.reading.wanted import TOLERANCE
 from starskel.shapes.pairing import suggest_pairing
 from starskel.shapes.shape import Shape
 
-__all__ = ["Holdings", "NamedShape", "holdings", "pair_of"]
+__all__ = ["Holdings", "NamedShape", "check_texts", "holdings", "pair_of"]
+
+FONTS = next(found.endings for found in FORMATS if found.module == "font")
 
 
 @dataclass(frozen=True)
@@ -57,6 +59,20 @@ def holdings(path: Path, tolerance: float = TOLERANCE, texts: Sequence[str] = ()
     kind = format_of(path)
     shapes = _key_shapes(path) if kind == project_file.FORMAT else _ends(path)
     return Holdings(kind, tuple(NamedShape(name, shape) for name, shape in shapes))
+
+
+def check_texts(paths: Sequence[Path], texts: Sequence[str]) -> None:
+    """See that texts are asked of a font.
+
+    Raises
+    ------
+    InvalidFile
+        If there are texts, but no font that could set them.
+    """
+    if texts and not any(path.suffix.lower() in FONTS for path in paths):
+        raise InvalidFile(
+            f'no font is there to set "{texts[0]}"', f"leave out --text, or give a font ({', '.join(FONTS)})"
+        )
 
 
 def pair_of(name: str, source: Shape, target: Shape) -> AnyPair:

@@ -7,7 +7,7 @@ from pathlib import Path
 import msgspec
 
 from starskel.command import FAILED
-from starskel.command.holdings import NamedShape, holdings
+from starskel.command.holdings import NamedShape, check_texts, holdings
 from starskel.errors import StarskelError
 from starskel.files.documents import document_text
 
@@ -56,6 +56,7 @@ class _Document(msgspec.Struct, frozen=True):
 
 def run(arguments: Namespace) -> int:
     """Say what each file holds; those that cannot be read are named, the others go on."""
+    check_texts(arguments.files, arguments.text)
     files: list[_File] = []
     failures: list[_Failure] = []
     for path in arguments.files:

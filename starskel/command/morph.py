@@ -8,6 +8,7 @@ from pathlib import Path
 from starskel.command.opening import Opened, Pictures, chosen_id, opened
 from starskel.command.progress import Progress
 from starskel.command.shapes import Way, blends_of
+from starskel.command.written import written_text
 from starskel.easing import EVEN, Easing
 from starskel.errors import InvalidFile
 from starskel.export.morphs import PNG, MorphSettings, check_ending, write_morph
@@ -21,15 +22,17 @@ def run(arguments: Namespace) -> int:
     """Morph the pictures of a pair, or of every pair, and write the frames."""
     check_ending(arguments.output)
     file = opened(arguments.file, arguments.step)
-    if not arguments.every:
-        _morph(arguments, file, chosen_id(arguments.file, file.ids, arguments.id), arguments.output)
-        return 0
-    for pair_id, path in zip(file.ids, _own_files(arguments.output, file.ids), strict=True):
-        _morph(arguments, file, pair_id, path)
+    if arguments.every:
+        ways = dict(zip(file.ids, _own_files(arguments.output, file.ids), strict=True))
+    else:
+        ways = {chosen_id(arguments.file, file.ids, arguments.id): arguments.output}
+    written = [own for pair_id, path in ways.items() for own in _morph(arguments, file, pair_id, path)]
+    if arguments.json:
+        print(written_text(written), end="")
     return 0
 
 
-def _morph(arguments: Namespace, file: Opened, pair_id: str, path: Path) -> None:
+def _morph(arguments: Namespace, file: Opened, pair_id: str, path: Path) -> tuple[Path, ...]:
     pair, pictures = file.pair(pair_id), _pictures(arguments.file, file, pair_id)
     ((_, made),) = blends_of(pair, [Way(arguments.method, arguments.method)])
     fade, solid = (smooth if arguments.fade == "smooth" else float), (0 if arguments.as_it_is else SOLID)
@@ -37,13 +40,13 @@ def _morph(arguments: Namespace, file: Opened, pair_id: str, path: Path) -> None
         morph = ImageMorph(made, *pictures, fade=fade, solid=solid, progress=bar)
     wanted = MorphSettings(
         _times(arguments, path, file.steps[file.ids.index(pair_id)].easing if file.steps else EVEN),
-        arguments.size,
+        arguments.pixels,
         arguments.rate,
         arguments.paper,
         numbered=arguments.layout == "frames",
     )
     with Progress(f"{pair_id}: frames") as bar:
-        write_morph(path, morph, wanted, Task(bar))
+        return write_morph(path, morph, wanted, Task(bar))
 
 
 def _pictures(path: Path, file: Opened, pair_id: str) -> Pictures:

@@ -1,11 +1,12 @@
 """The words that each verb understands. Nothing that takes long to load is imported here."""
 
 import argparse
-import re
 from pathlib import Path
 from typing import Any
 
 from starskel.blending import METHODS
+from starskel.command import values
+from starskel.export import bounds
 from starskel.export.formats import FORMATS
 from starskel.export.layouts import LAYOUTS
 
@@ -35,10 +36,12 @@ def add_render(parser: argparse.ArgumentParser) -> None:
     add_times(parser)
     parser.add_argument("--eased", action="store_true", help="frames apart as they are played, with easing")
     parser.add_argument("--separate", action="store_true", help="of shapes move each part by itself")
-    parser.add_argument("--json", action="store_true", help="print the names of the files written, as JSON")
+    _add_json(parser)
     _add_overlays(parser.add_argument_group("what is to be seen besides"))
     _add_look(parser.add_argument_group("how it looks (lengths in points, colours as #rrggbb)"))
-    _add_motion(parser.add_argument_group("animations"))
+    motion = parser.add_argument_group("animations")
+    _add_motion(motion)
+    _add_tolerance(motion)
 
 
 def add_morph(parser: argparse.ArgumentParser) -> None:
@@ -63,13 +66,13 @@ def add_morph(parser: argparse.ArgumentParser) -> None:
         "--as-it-is", action="store_true", help="keep what is transparent just inside the outlines"
     )
     parser.add_argument(
-        "--size", type=_pixels, default=512, metavar="N", help="pixels of a frame's longer side (512)"
+        "--pixels", type=values.pixels, default=512, metavar="N", help="the longer side of a frame (512)"
     )
-    parser.add_argument("--paper", type=_colour, metavar="COLOUR", help="what is behind, #rrggbb (nothing)")
-    group = parser.add_argument_group("what moves")
-    group.add_argument("--duration", type=_seconds, default=2.0, metavar="S", help="seconds one way (2)")
-    group.add_argument("--returning", action="store_true", help="come back again, the same way")
-    group.add_argument("--rate", type=_rate, default=25.0, metavar="N", help="frames a second (25)")
+    parser.add_argument(
+        "--paper", type=values.colour, metavar="COLOUR", help="what is behind, #rrggbb (nothing)"
+    )
+    _add_json(parser)
+    _add_motion(parser.add_argument_group("what moves"))
 
 
 def add_gallery(parser: argparse.ArgumentParser) -> None:
@@ -83,6 +86,7 @@ def add_gallery(parser: argparse.ArgumentParser) -> None:
     )
     _add_methods(parser)
     add_times(parser, 7)
+    _add_json(parser)
 
 
 def add_measure(parser: argparse.ArgumentParser) -> None:
@@ -90,10 +94,12 @@ def add_measure(parser: argparse.ArgumentParser) -> None:
     parser.description = "Print a table over all pairs and methods."
     parser.add_argument("file", type=Path, metavar="FILE", help=_FILE)
     parser.add_argument("--id", action="append", metavar="ID", help="only this pair; may be given again")
-    parser.add_argument("--step", type=_step, metavar="N", help="only this step of a project, from 1 (all)")
+    parser.add_argument(
+        "--step", type=values.step, metavar="N", help="only this step of a project, from 1 (all)"
+    )
     _add_methods(parser)
     parser.add_argument(
-        "--frames", type=_frame_count, default=101, metavar="N", help="frames looked at (101)"
+        "--frames", type=values.frame_count, default=101, metavar="N", help="frames looked at (101)"
     )
     parser.add_argument("--json", action="store_true", help="print JSON instead of a table")
 
@@ -112,11 +118,12 @@ def add_convert(parser: argparse.ArgumentParser) -> None:
     _add_texts(parser)
     parser.add_argument(
         "--tolerance",
-        type=_length,
+        type=values.within(bounds.TOLERANCE),
         default=0.0005,
         metavar="E",
         help="how far lines may leave curves, as a part of the box of the shape (0.0005)",
     )
+    _add_json(parser)
 
 
 def add_info(parser: argparse.ArgumentParser) -> None:
@@ -145,12 +152,12 @@ def add_batch(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "-o", "--output", type=Path, required=True, metavar="RESULTS", help="the folder to fill"
     )
-    parser.add_argument("--methods", type=_methods, metavar="M,M", help="by these methods (all)")
+    parser.add_argument("--methods", type=values.methods, metavar="M,M", help="by these methods (all)")
     parser.add_argument(
-        "--frames", type=_frame_count, default=101, metavar="N", help="frames looked at (101)"
+        "--frames", type=values.frame_count, default=101, metavar="N", help="frames looked at (101)"
     )
     parser.add_argument(
-        "--processes", type=_step, metavar="N", help="so many at once (one for each processor)"
+        "--processes", type=values.processes, metavar="N", help="so many at once (one for each processor)"
     )
     parser.add_argument(
         "--scheduler", metavar="ADDRESS", help="on the Dask cluster of this scheduler instead"
@@ -170,7 +177,9 @@ def add_completion(parser: argparse.ArgumentParser) -> None:
 def _add_pair(parser: argparse.ArgumentParser, file: str = _FILE) -> None:
     parser.add_argument("file", type=Path, metavar="FILE", help=file)
     parser.add_argument("--id", metavar="ID", help="the pair; may be left out where there is but one")
-    parser.add_argument("--step", type=_step, metavar="N", help="only this step of a project, from 1 (all)")
+    parser.add_argument(
+        "--step", type=values.step, metavar="N", help="only this step of a project, from 1 (all)"
+    )
 
 
 def _add_texts(parser: argparse.ArgumentParser) -> None:
@@ -181,6 +190,10 @@ def _add_texts(parser: argparse.ArgumentParser) -> None:
         metavar="TEXT",
         help="of a font this text, as one shape; may be given again (its letters, each a shape)",
     )
+
+
+def _add_json(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--json", action="store_true", help="print what was written, as JSON")
 
 
 def _add_methods(
@@ -209,8 +222,8 @@ def add_times(parser: argparse.ArgumentParser, count: int = 6) -> None:
     """Let frames be chosen by their number or by their times."""
     times = parser.add_mutually_exclusive_group()
     words = f"frames, evenly from t = 0 to 1 ({count})"
-    times.add_argument("--frames", type=_frame_count, default=count, metavar="N", help=words)
-    times.add_argument("--at", type=_time, nargs="+", metavar="T", help="frames at these times instead")
+    times.add_argument("--frames", type=values.frame_count, default=count, metavar="N", help=words)
+    times.add_argument("--at", type=values.time, nargs="+", metavar="T", help="frames at these times instead")
 
 
 def _add_overlays(group: argparse._ArgumentGroup) -> None:
@@ -228,108 +241,53 @@ def _add_overlays(group: argparse._ArgumentGroup) -> None:
 def _add_look(group: argparse._ArgumentGroup) -> None:
     group.add_argument(
         "--fill",
-        type=_colour,
+        type=values.colour,
         nargs="+",
         metavar="COLOUR",
         help='from t = 0 to 1, mixed in between; or "none"',
     )
     group.add_argument(
-        "--stroke", type=_colour, default="#20262e", metavar="COLOUR", help='outlines; or "none"'
+        "--stroke", type=values.colour, default="#20262e", metavar="COLOUR", help='outlines; or "none"'
     )
-    group.add_argument("--stroke-width", type=_length, default=0.7, metavar="W", help="(0.7)")
     group.add_argument(
-        "--paper", type=_colour, metavar="COLOUR", help="what is behind (nothing; white in sheets)"
+        "--stroke-width", type=values.within(bounds.STROKE), default=0.7, metavar="W", help="(0.7)"
     )
-    group.add_argument("--size", type=_length, metavar="S", help="the longer side of the largest frame")
     group.add_argument(
-        "--pixels", type=_pixels, metavar="N", help="the longer side of pictures of pixels (two for a point)"
+        "--paper", type=values.colour, metavar="COLOUR", help="what is behind (nothing; white in sheets)"
     )
-    group.add_argument("--margin", type=_length, default=18.0, metavar="M", help="round everything (18)")
-    group.add_argument("--gap", type=_length, default=16.0, metavar="G", help="between frames (16)")
+    group.add_argument(
+        "--size", type=values.within(bounds.SIZE), metavar="S", help="the longer side of the largest frame"
+    )
+    group.add_argument(
+        "--pixels",
+        type=values.pixels,
+        metavar="N",
+        help="the longer side of pictures of pixels (two for a point)",
+    )
+    group.add_argument(
+        "--margin",
+        type=values.within(bounds.DISTANCE),
+        default=18.0,
+        metavar="M",
+        help="round everything (18)",
+    )
+    group.add_argument(
+        "--gap", type=values.within(bounds.DISTANCE), default=16.0, metavar="G", help="between frames (16)"
+    )
 
 
 def _add_motion(group: argparse._ArgumentGroup) -> None:
-    group.add_argument("--duration", type=_length, default=3.0, metavar="S", help="seconds one way (3)")
+    seconds, rate = values.within(bounds.DURATION), values.within(bounds.RATE)
+    group.add_argument("--duration", type=seconds, default=3.0, metavar="S", help="seconds one way (3)")
     group.add_argument("--returning", action="store_true", help="come back again, the same way")
-    group.add_argument("--rate", type=_length, default=25.0, metavar="N", help="pictures a second (25)")
+    group.add_argument("--rate", type=rate, default=25.0, metavar="N", help="pictures a second (25)")
+
+
+def _add_tolerance(group: argparse._ArgumentGroup) -> None:
     group.add_argument(
         "--tolerance",
-        type=_length,
+        type=values.within(bounds.TOLERANCE),
         default=0.001,
         metavar="E",
         help="how far a vertex may stray between keys, as a part of the box of all frames (0.001)",
     )
-
-
-def _methods(text: str) -> tuple[str, ...]:
-    methods = tuple(text.split(","))
-    if len(set(methods)) < len(methods):
-        raise argparse.ArgumentTypeError("a method is given twice")
-    for method in methods:
-        if method not in METHODS:
-            raise argparse.ArgumentTypeError(f"invalid choice: {method!r} (choose from {', '.join(METHODS)})")
-    return methods
-
-
-def _step(text: str) -> int:
-    if not text.isdecimal() or not int(text):
-        raise argparse.ArgumentTypeError(f"{text!r} is no number of a step: they count from 1")
-    return int(text)
-
-
-def _frame_count(text: str) -> int:
-    try:
-        count = int(text)
-    except ValueError:
-        count = 0
-    if count < 2:
-        raise argparse.ArgumentTypeError(f"{text!r} is no whole number above 1 (for one frame: --at T)")
-    return count
-
-
-def _time(text: str) -> float:
-    time = _number(text)
-    if not 0 <= time <= 1:
-        raise argparse.ArgumentTypeError(f"{text!r} is no number from 0 to 1")
-    return time
-
-
-def _length(text: str) -> float:
-    length = _number(text)
-    if not 0 <= length < float("inf"):
-        raise argparse.ArgumentTypeError(f"{text!r} is no number from 0 on")
-    return length
-
-
-def _pixels(text: str) -> int:
-    return round(_within(text, 1, 8192, "number of pixels"))
-
-
-def _seconds(text: str) -> float:
-    return _within(text, 0.01, 600, "number of seconds")
-
-
-def _rate(text: str) -> float:
-    return _within(text, 0.1, 120, "number of frames a second")
-
-
-def _within(text: str, least: float, most: float, what: str) -> float:
-    number = _number(text)
-    if not least <= number <= most:
-        raise argparse.ArgumentTypeError(f"{text!r} is no {what} from {least:g} to {most:g}")
-    return number
-
-
-def _number(text: str) -> float:
-    try:
-        return float(text)
-    except ValueError:
-        return -1.0
-
-
-def _colour(text: str) -> str | None:
-    if text == "none":
-        return None
-    if not re.fullmatch(r"#[0-9a-fA-F]{6}", text):
-        raise argparse.ArgumentTypeError(f'{text!r} is no colour: write it as #rrggbb, or "none"')
-    return text.lower()

@@ -5,16 +5,18 @@ from pathlib import Path
 
 from starskel.blending import COMPARED
 from starskel.command.films import opened_film
+from starskel.command.progress import Progress
+from starskel.command.written import written_text
 from starskel.errors import InvalidFile
 from starskel.export.film import Film
 from starskel.export.formats import format_for, layouts_of
 from starskel.export.layouts import Layout
 from starskel.export.settings import Settings, even_times
 from starskel.export.write import write
-from starskel.files.documents import document_text
 from starskel.sheet.drawing import Colour, Stroke
 from starskel.sheet.keyframe import Shown
 from starskel.sheet.style import WAY, Look
+from starskel.task import Task
 
 
 def run(arguments: Namespace) -> int:
@@ -23,9 +25,10 @@ def run(arguments: Namespace) -> int:
     format_for(arguments.output, settings.layout)  # refuses before the work is done
     methods = arguments.method or (COMPARED if settings.layout == "sheet" else ["stitched"])
     name, tracks = opened_film(arguments, methods, measured=settings.layout == "sheet")
-    written = write(arguments.output, Film(name, tracks, settings))
+    with Progress(arguments.output.name) as bar:
+        written = write(arguments.output, Film(name, tracks, settings), Task(bar))
     if arguments.json:
-        print(document_text({"files": [str(path) for path in written]}), end="")
+        print(written_text(written), end="")
     return 0
 
 

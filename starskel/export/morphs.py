@@ -7,6 +7,8 @@ from pathlib import Path
 import numpy as np
 
 from starskel.errors import InvalidFile, either, told
+from starskel.export import bounds
+from starskel.export.pixels import check_size
 from starskel.files.raster import MOVING, write_animation, write_image
 from starskel.files.video import VIDEO, write_video
 from starskel.images.morph import ImageMorph
@@ -36,6 +38,11 @@ class MorphSettings:
         What is behind, "#rrggbb"; None leaves it transparent, in video white.
     numbered : bool
         Whether of PNG each frame is a file by itself; else all are in a row.
+
+    Raises
+    ------
+    StarskelError
+        If a number is out of its bounds.
     """
 
     times: Sequence[float]
@@ -43,6 +50,10 @@ class MorphSettings:
     rate: float = 25.0
     paper: Colour | None = None
     numbered: bool = False
+
+    def __post_init__(self) -> None:
+        bounds.PIXELS.check(self.size)
+        bounds.RATE.check(self.rate)
 
 
 def check_ending(path: Path) -> None:
@@ -80,6 +91,8 @@ def write_morph(
     ------
     InvalidFile
         If the ending is another one, or a file cannot be written.
+    StarskelError
+        If a row would have too many pixels.
     Cancelled
         If the task is to stop; numbered files written so far stay.
     """
@@ -87,7 +100,10 @@ def write_morph(
     frames = _frames(morph, wanted, task)
     ending = path.suffix.lower()
     if ending == PNG:
-        return _write_pictures(path, frames, numbered=wanted.numbered and len(wanted.times) > 1)
+        if wanted.numbered and len(wanted.times) > 1:
+            return _write_pictures(path, frames)
+        write_image(path, _row(frames, len(wanted.times)))
+        return (path,)
     write = write_video if ending == VIDEO else write_animation
     write(path, frames, [1 / wanted.rate] * len(wanted.times))
     return (path,)
@@ -109,11 +125,14 @@ def _on(frame: Pixels, paper: Colour) -> Pixels:
     return np.concatenate([np.rint(mixed).astype(np.uint8), np.full_like(frame[..., 3:], 255)], axis=2)
 
 
-def _write_pictures(path: Path, frames: Iterator[Pixels], *, numbered: bool) -> tuple[Path, ...]:
-    """Write a file for each, or all in a row."""
-    if not numbered:
-        write_image(path, np.concatenate(list(frames), axis=1))
-        return (path,)
+def _row(frames: Iterator[Pixels], count: int) -> Pixels:
+    """Put so many frames beside each other."""
+    first = next(frames)
+    check_size(count * first.shape[1], first.shape[0])
+    return np.concatenate([first, *frames], axis=1)
+
+
+def _write_pictures(path: Path, frames: Iterator[Pixels]) -> tuple[Path, ...]:
     written = []
     for number, frame in enumerate(frames, start=1):
         written.append(path.with_name(f"{path.stem}-{number:04}{path.suffix}"))

@@ -112,12 +112,23 @@ def size_of(drawing: Drawing, longer_side: int | None = None) -> tuple[int, int]
     """Give width and height of the picture of a drawing, in pixels; parameters as for `pixels_of`."""
     scale = DOTS if longer_side is None else longer_side / max(drawing.width, drawing.height)
     width, height = (max(round(side * scale), 1) for side in (drawing.width, drawing.height))
+    check_size(width, height)
+    return width, height
+
+
+def check_size(width: int, height: int) -> None:
+    """Refuse pictures that are too large.
+
+    Raises
+    ------
+    StarskelError
+        Naming the limits.
+    """
     if max(width, height) > PICTURE_SIDE or width * height > PICTURE_PIXELS:
         raise StarskelError(
             told("a picture of {width} × {height} pixels is too large", width=width, height=height),
             told("take fewer: at most {most}, {side} a side", most=PICTURE_PIXELS, side=PICTURE_SIDE),
         )
-    return width, height
 
 
 def moving(film: Film, task: Task) -> Iterator[Pixels]:

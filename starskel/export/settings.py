@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 
 from starskel.blending.frames import checked_times
 from starskel.errors import StarskelError
+from starskel.export import bounds
 from starskel.export.layouts import Layout
 from starskel.sheet.keyframe import Shown
 from starskel.sheet.style import Look
@@ -65,16 +66,16 @@ class Settings:
     tolerance: float = 0.001
 
     def __post_init__(self) -> None:
-        _check_positive(
-            size=1.0 if self.look.size is None else self.look.size,
-            duration=self.duration,
-            rate=self.rate,
-            pixels=1.0 if self.pixels is None else self.pixels,
-            tolerance=self.tolerance,
-        )
         if not self.times:
             raise StarskelError("there is no time to draw", "give at least one, from 0 to 1")
+        bounds.FRAMES.check(len(self.times))
         checked_times(self.times)
+        bounds.DURATION.check(self.duration)
+        bounds.RATE.check(self.rate)
+        bounds.TOLERANCE.check(self.tolerance)
+        if self.pixels is not None:
+            bounds.PIXELS.check(self.pixels)
+        _check_look(self.look)
 
     @property
     def moments(self) -> tuple[float, ...]:
@@ -95,7 +96,10 @@ def even_times(count: int) -> tuple[float, ...]:
     return tuple(k / (count - 1) for k in range(count))
 
 
-def _check_positive(**values: float) -> None:
-    for name, value in values.items():
-        if not 0 < value < float("inf"):
-            raise StarskelError(f"{name} is {value:g}", "give a number above 0")
+def _check_look(look: Look) -> None:
+    bounds.DISTANCE.check(look.gap)
+    bounds.DISTANCE.check(look.margin)
+    if look.size is not None:
+        bounds.SIZE.check(look.size)
+    if look.outline is not None:
+        bounds.STROKE.check(look.outline.width)

@@ -65,7 +65,7 @@ def test_pictures_alone_are_what_the_command_writes_to_the_byte(ending: str, tmp
         "morph", "stitched", frames=3, eased=True, seconds=0.3, returning=True, pixels=64, rate=20
     )
     write_choice(tmp_path / f"editor{ending}", "p", choice, [stretch])
-    words = ["--frames", "3", "--eased", "--duration", "0.3", "--returning", "--size", "64", "--rate", "20"]
+    words = ["--frames", "3", "--eased", "--duration", "0.3", "--returning", "--pixels", "64", "--rate", "20"]
     out = tmp_path / f"command{ending}"
     assert main(["morph", str(tmp_path / "p.json"), *words, "-o", str(out)]) == 0
     assert out.read_bytes() == (tmp_path / f"editor{ending}").read_bytes()

@@ -34,7 +34,7 @@ def pictures(tmp_path, monkeypatch):
 
 def test_moving_pictures(pictures):
     for ending in ("gif", "apng", "webp"):
-        words = ["--returning", "--duration", "1", "--rate", "5", "--size", "64", "-o", f"out.{ending}"]
+        words = ["--returning", "--duration", "1", "--rate", "5", "--pixels", "64", "-o", f"out.{ending}"]
         assert main(["morph", "pictures.json", *words]) == 0
         frames, durations = read_animation(pictures / f"out.{ending}")
         assert len(frames) == 8
@@ -44,9 +44,12 @@ def test_moving_pictures(pictures):
         assert not np.array_equal(frames[0], frames[4])
 
 
-def test_a_row_and_numbered_pictures(pictures):
-    assert main(["morph", "pictures.json", "--size", "40", "-o", "row.png"]) == 0
-    assert main(["morph", "pictures.json", "--size", "40", "--layout", "frames", "-o", "f.png"]) == 0
+def test_a_row_and_numbered_pictures(pictures, capsys):
+    assert main(["morph", "pictures.json", "--pixels", "40", "-o", "row.png"]) == 0
+    capsys.readouterr()
+    words = ["--pixels", "40", "--layout", "frames", "--json", "-o", "f.png"]
+    assert main(["morph", "pictures.json", *words]) == 0
+    assert json.loads(capsys.readouterr().out) == {"files": [f"f-{k:04}.png" for k in range(1, 7)]}
     row, numbered = read_image(pictures / "row.png"), sorted(pictures.glob("f-*.png"))
     assert [path.name for path in numbered] == [f"f-{k:04d}.png" for k in range(1, 7)]
     assert np.array_equal(row, np.concatenate([read_image(path) for path in numbered], axis=1))
@@ -56,7 +59,7 @@ def test_every_pair_of_a_file_has_a_file_of_its_own(pictures):
     document = json.loads((pictures / "pictures.json").read_text())
     document["pairs"].append({**document["pairs"][0], "id": "a/b"})
     (pictures / "pictures.json").write_text(json.dumps(document))
-    words = ["--frames", "2", "--size", "40"]
+    words = ["--frames", "2", "--pixels", "40"]
     assert main(["morph", "pictures.json", *words, "--every", "-o", "row.png"]) == 0
     assert main(["morph", "pictures.json", *words, "--id", "box", "-o", "alone.png"]) == 0
     assert (pictures / "row-box.png").read_bytes() == (pictures / "alone.png").read_bytes()
@@ -70,13 +73,13 @@ def test_a_project_of_several_parts_carries_its_picture(pictures):
     shapes = (replace(KeyShape.of(face, eye), picture=picture), KeyShape.of(other))
     links = (Link(0, 0), Link(1, None))
     write_project(pictures / "face.json", Project("face", shapes, (Step(links),)))
-    assert main(["morph", "face.json", "--at", "0", "--size", "100", "-o", "face.png"]) == 0
+    assert main(["morph", "face.json", "--at", "0", "--pixels", "100", "-o", "face.png"]) == 0
     frame = read_image(pictures / "face.png")
     assert (frame[..., 3] == 0).mean() > 0.3  # the hole, and what is right of the face
 
 
 def test_one_moment_on_a_ground(pictures):
-    words = ["--at", "0.5", "--paper", "#ffcc00", "--method", "certified", "--size", "50", "-o", "m.png"]
+    words = ["--at", "0.5", "--paper", "#ffcc00", "--method", "certified", "--pixels", "50", "-o", "m.png"]
     assert main(["morph", "pictures.json", *words]) == 0
     found = read_image(pictures / "m.png")
     assert found[0, 0].tolist() == [255, 204, 0, 255]
@@ -92,7 +95,7 @@ def test_a_project_with_a_picture_moves_as_its_easing_says(pictures):
         pictures / "p.json",
         Project("p", (replace(KeyShape.of(square), picture=picture), KeyShape.of(turned)), (late,)),
     )
-    assert main(["morph", "p.json", "--eased", "--frames", "3", "--size", "140", "-o", "row.png"]) == 0
+    assert main(["morph", "p.json", "--eased", "--frames", "3", "--pixels", "140", "-o", "row.png"]) == 0
     frames = np.split(read_image(pictures / "row.png"), 3, axis=1)
     lefts = [int(np.flatnonzero(frame[..., 3].any(axis=0))[0]) for frame in frames]
     assert lefts[1] - lefts[0] < 0.3 * (lefts[2] - lefts[0])
@@ -106,6 +109,7 @@ def test_a_project_with_a_picture_moves_as_its_easing_says(pictures):
         (["plain.json", "-o", "x.gif"], 'no picture behind the shapes of "plain"; place one'),
         (["pictures.json", "--id", "bax", "-o", "x.gif"], 'no pair "bax"; choose one of box'),
         (["p.png", "-o", "x.gif"], "damaged"),
+        (["pictures.json", "--frames", "900", "-o", "x.png"], "is too large; take fewer"),
     ],
 )
 def test_what_is_wrong_is_said(pictures, capsys, words, said):
@@ -117,7 +121,7 @@ def test_what_is_wrong_is_said(pictures, capsys, words, said):
 
 
 @pytest.mark.parametrize(
-    "words", [["--size", "0"], ["--duration", "-1"], ["--paper", "red"], ["--frames", "1"]]
+    "words", [["--pixels", "0"], ["--duration", "-1"], ["--paper", "red"], ["--frames", "1"]]
 )
 def test_words_that_are_no_numbers_are_refused(pictures, words):
     with pytest.raises(SystemExit):
@@ -125,7 +129,10 @@ def test_words_that_are_no_numbers_are_refused(pictures, words):
 
 
 def test_video(pictures):
-    assert main(["morph", "pictures.json", "--rate", "6", "--size", "61", "-o", "x.mp4"]) == 0
+    assert (
+        main(["morph", "pictures.json", "--rate", "6", "--duration", "2", "--pixels", "61", "-o", "x.mp4"])
+        == 0
+    )
     with av.open(str(pictures / "x.mp4")) as container:
         frames = list(container.decode(video=0))
         assert len(frames) == 12

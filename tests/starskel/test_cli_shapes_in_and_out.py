@@ -54,6 +54,14 @@ def test_shapes_are_read_back_as_they_were_written(name):
         assert shapely.get_num_coordinates(one) == shapely.get_num_coordinates(other)
 
 
+def test_what_was_converted_is_told_to_machines(capsys):
+    assert main(["convert", BUG, "--shape", "path 2", "-o", "out.wkt", "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["files"] == ["out.wkt"]
+    assert told["shapes"] == ["path 2"]
+    assert any("path 2: it crossed or touched itself" in sentence for sentence in told["mended"])
+
+
 def test_shapes_are_chosen_by_name_and_what_was_mended_is_told(capsys):
     assert main(["convert", BUG, "--shape", "path 2", "-o", "out.wkt"]) == 0
     assert "bootstrap-bug-fill.svg: path 2: it crossed or touched itself" in capsys.readouterr().err

@@ -19,6 +19,7 @@ from tests.starskel.export.rendering import needs_ghostscript, rendered_postscri
 
 SHAPES = Path(__file__).parents[1] / "shapes"
 LETTERS = str(SHAPES / "letters.json")
+HEART, STAR = (str(SHAPES.parent / "files" / "icons" / f"lucide-{name}.svg") for name in ("heart", "star"))
 COAST = str(SHAPES / "coasts.json")
 ARM = str(resource_folder() / "examples" / "arm.json")
 PAIR = ("--id", "letter-T-Y")
@@ -268,8 +269,25 @@ def test_steps_without_their_shapes_are_named_and_the_others_measured(capsys):
             "no/a.svg cannot be written: No such file",
         ),
         (["render", COAST, "--method", "magic", "-o", "a.svg"], "invalid choice: 'magic'"),
-        (["render", COAST, "--frames", "1", "-o", "a.svg"], "'1' is no whole number above 1"),
-        (["render", COAST, "--frames", "many", "-o", "a.svg"], "'many' is no whole number above 1"),
+        (["render", COAST, "--frames", "1", "-o", "a.svg"], "'1' is no number of frames"),
+        (["render", COAST, "--frames", "many", "-o", "a.svg"], "'many' is no number of frames"),
+        (["render", COAST, "--frames", "10001", "-o", "a.svg"], "give a whole number from 2 to 10000"),
+        (
+            ["render", COAST, "--duration", "1e9", "-o", "a.svg"],
+            "'1e9' is no number of seconds: give one from 0.01",
+        ),
+        (["render", COAST, "--rate", "0", "-o", "a.gif"], "'0' is no number of pictures a second"),
+        (
+            ["render", COAST, "--tolerance", "0", "-o", "a.svg"],
+            "'0' is no tolerance: give one from 1e-06 to 1",
+        ),
+        (["render", COAST, "--gap", "wide", "-o", "a.svg"], "'wide' is no distance in points"),
+        (["batch", "tests", "--processes", "0", "-o", "r"], "'0' is no number of processes: give 1 or more"),
+        (
+            ["convert", HEART, STAR, "--text", "A", "-o", "a.json"],
+            'no font is there to set "A"; leave out --text',
+        ),
+        (["info", HEART, "--text", "A"], 'no font is there to set "A"'),
         (["render", COAST, "--at", "1.5", "-o", "a.svg"], "'1.5' is no number from 0 to 1"),
         (["render", COAST, "--at", "nan", "-o", "a.svg"], "'nan' is no number from 0 to 1"),
         (["render", COAST], "the following arguments are required: -o"),

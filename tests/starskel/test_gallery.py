@@ -87,6 +87,13 @@ def test_texts_tell_what_the_pair_is(gallery):
     assert text.startswith(example("figure-11-coil").description.rstrip("."))
 
 
+def test_what_was_written_is_told_to_machines(capsys):
+    assert main(["gallery", HAND, "-o", "out", "--json", *QUICK]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told == {"files": ["out/index.html", "out/a-hand-opens.svg"], "failures": []}
+    assert all(Path(path).exists() for path in told["files"])
+
+
 def test_the_sheets_show_the_methods_as_strips(gallery):
     shown = texts(gallery / "a-hand-opens.svg")
     assert {"vertex", "star-skeleton", "t = 0.5", "simple, proven"} <= set(shown)

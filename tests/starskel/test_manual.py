@@ -91,7 +91,7 @@ def test_commands_do_what_they_say(line, folder):
         pytest.skip("DejaVu Sans is not installed")
     words = [SMALLER.get(word, word) for word in shlex.split(line.partition(">")[0])]
     if words[0] == "morph":
-        words += ["--size", "48", "--rate", "8"]
+        words += ["--pixels", "48", "--rate", "8"]
     before = {path: path.stat().st_mtime_ns for path in folder.rglob("*")}
     assert main(words) == 0
     after = {path: path.stat().st_mtime_ns for path in folder.rglob("*")}

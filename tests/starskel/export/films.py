@@ -53,10 +53,8 @@ def straying(known, seen):
     a, b = known[0], seen[0] * [1, -1]
     scale = np.linalg.norm(np.ptp(b, axis=0)) / np.linalg.norm(np.ptp(a, axis=0))
     offset = b.min(axis=0) - scale * a.min(axis=0)
-    away = [
-        np.abs((own * [1, -1] - offset) / scale - frame).max() for frame, own in zip(known, seen, strict=True)
-    ]
-    return max(away) / box_side(known)
+    away = [(own * [1, -1] - offset) / scale - frame for frame, own in zip(known, seen, strict=True)]
+    return max(np.hypot(*errors.T).max() for errors in away) / box_side(known)
 
 
 def pictured(**options):
