@@ -1,7 +1,9 @@
 """What can go wrong, in words: every error says what is wrong, where, and how to mend it."""
 
 from collections.abc import Sequence
+from copy import copy
 from functools import reduce
+from typing import Self
 
 
 class Told(str):
@@ -57,9 +59,18 @@ class StarskelError(ValueError):
     """
 
     def __init__(self, what: str, mend: str = "") -> None:
-        super().__init__(f"{what}; {mend}" if mend else what)
+        super().__init__(what, mend)
         self.what = what
         self.mend = mend
+
+    def __str__(self) -> str:
+        return f"{self.what}; {self.mend}" if self.mend else self.what
+
+    def within(self, where: object) -> Self:
+        """Give the same error, with `where` it is put in front: "ring 2: a polygon of 2 points"."""
+        error = copy(self)
+        error.what = told("{where}: {what}", where=where, what=self.what)
+        return error
 
 
 class InvalidPolygon(StarskelError):
@@ -161,6 +172,11 @@ class InvalidFile(StarskelError):
     starskel.errors.InvalidFile: notes.txt ends in ".txt"; give a file that ends in .svg or .geojson or ...
     """
 
+    @classmethod
+    def holding(cls, error: StarskelError, where: object) -> "InvalidFile":
+        """Give the `error` of what a file holds as one of the file, or of the place in it, `where` it is."""
+        return cls(error.within(where).what, error.mend)
+
 
 class Cancelled(StarskelError):
     """The caller's ``should_stop`` answered True.
@@ -174,5 +190,5 @@ class Cancelled(StarskelError):
     starskel.errors.Cancelled: cancelled
     """
 
-    def __init__(self) -> None:
-        super().__init__("cancelled")
+    def __init__(self, what: str = "cancelled", mend: str = "") -> None:
+        super().__init__(what, mend)

@@ -799,6 +799,10 @@
         <source>width in points</source>
         <translation>Breite in Punkten</translation>
     </message>
+    <message>
+        <source>ring {number}</source>
+        <translation>Ring {number}</translation>
+    </message>
 </context>
 <context>
     <name>AboutDialog</name>

@@ -127,7 +127,7 @@ def _steps(path: Path, step: int | None) -> Opened:
         try:
             return document.pair(names.index(name))
         except InvalidFile as error:
-            raise InvalidFile(f"{path}: {error.what}", error.mend) from error
+            raise error.within(path) from error
 
     def pictures(name: str) -> Pictures:
         step = names.index(name)

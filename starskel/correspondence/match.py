@@ -80,13 +80,7 @@ def as_polygon(shape: PolygonLike, side: str) -> Polygon:
     try:
         return Polygon(shape)
     except InvalidPolygon as error:
-        raise _blaming(side, error) from None
-
-
-def _blaming(side: str, error: InvalidPolygon) -> InvalidPolygon:
-    return InvalidPolygon(
-        told("{where}: {what}", where=told(side), what=error.what), error.mend, error.vertices, error.place
-    )
+        raise error.within(told(side)) from None
 
 
 def _completed(
@@ -103,7 +97,7 @@ def _filled(ring: Floats, rows: Rows, number: int, side: str) -> Floats:
     try:
         return inserted(ring, rows, number)
     except InvalidPolygon as error:
-        raise _blaming(side, error) from None
+        raise error.within(told(side)) from None
 
 
 def _aligned(source: Floats, target: Floats, marks: list[Mark], task: Task) -> list[Mark]:

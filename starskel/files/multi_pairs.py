@@ -101,8 +101,7 @@ def _checked(path: Path, entry: _Entry) -> MultiPair:
         side = told("pairing")
         pairing = checked_pairing(source, target, _pairing(entry, source, target))
     except (InvalidPolygon, InvalidMarks) as error:
-        place = told("{where}: {what}", where=where, what=side)
-        raise InvalidFile(told("{where}: {what}", where=place, what=error.what), error.mend) from error
+        raise InvalidFile.holding(error.within(side), where) from error
     marks = tuple(map(tuple, entry.marks))
     places = {place.pair: place.at for place in entry.places}
     return MultiPair(entry.id, source, target, pairing, marks, places, entry.source)

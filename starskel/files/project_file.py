@@ -298,7 +298,7 @@ def _shape(shape: _Shape, where: str) -> KeyShape:
     try:
         return KeyShape(tuple(parts), shape.picture)
     except InvalidPolygon as error:
-        raise InvalidFile(told("{where}: {what}", where=where, what=error.what), error.mend) from error
+        raise InvalidFile.holding(error, where) from error
 
 
 def _step(given: _Step, ends: tuple[KeyShape, KeyShape], where: str) -> Step:
@@ -310,7 +310,7 @@ def _step(given: _Step, ends: tuple[KeyShape, KeyShape], where: str) -> Step:
     try:
         step.check(*ends)
     except InvalidMarks as error:
-        raise InvalidFile(told("{where}: {what}", where=where, what=error.what), error.mend) from error
+        raise InvalidFile.holding(error, where) from error
     return replace(step, links=tuple(_own(link, ends) for link in links))
 
 

@@ -27,7 +27,7 @@ def polygon_of(rows: Sequence[Row], where: str) -> Polygon:
     try:
         return Polygon(rows)
     except InvalidPolygon as error:
-        raise InvalidFile(told("{where}: {what}", where=where, what=error.what), error.mend) from error
+        raise InvalidFile.holding(error, where) from error
 
 
 def marked_shapes(
@@ -45,6 +45,6 @@ def marked_shapes(
     try:
         checked_marks(source, target, tuple(marks))
     except InvalidMarks as error:
-        raise InvalidFile(told("{where}: {what}", where=where, what=error.what), error.mend) from error
+        raise InvalidFile.holding(error, where) from error
     own = tuple((source.vertex_of(i), target.vertex_of(j)) for i, j in marks)
     return Polygon(source.vertices), Polygon(target.vertices), own

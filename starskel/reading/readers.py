@@ -109,7 +109,7 @@ def read_content(
     try:
         reading = found.reader.read(content, Wanted(tolerance, tuple(texts)))
     except InvalidFile as error:
-        raise InvalidFile(told("{where}: {what}", where=path, what=error.what), error.mend) from error
+        raise error.within(path) from error
     if not reading.shapes:
         raise InvalidFile(
             told("{path} holds no shape", path=path),

@@ -8,7 +8,7 @@ import shapely
 
 from starskel.correspondence import Correspondence, PolygonLike
 from starskel.correspondence import match as match_polygons
-from starskel.errors import InvalidMarks, InvalidPolygon
+from starskel.errors import InvalidMarks, InvalidPolygon, told
 from starskel.polygon import Polygon
 from starskel.shapes.correspondence import ShapeCorrespondence
 from starskel.shapes.given import Given, Marks, Places
@@ -142,4 +142,4 @@ def _side(given: PolygonLike | ShapeLike, name: str) -> Shape:
             return Shape(given)
         return Shape([given] if np.ndim(given[0]) == 1 else given)  # type: ignore[index]  # a ring, or rings
     except InvalidPolygon as error:
-        raise InvalidPolygon(f"{name}: {error.what}", error.mend, error.vertices, error.place) from None
+        raise error.within(told(name)) from None

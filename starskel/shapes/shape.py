@@ -7,7 +7,7 @@ import numpy as np
 import shapely
 
 from starskel.correspondence import PolygonLike
-from starskel.errors import InvalidPolygon
+from starskel.errors import InvalidPolygon, told
 from starskel.polygon import Polygon
 from starskel.predicates import segments_meet
 
@@ -142,11 +142,7 @@ def _ring(given: PolygonLike, number: int) -> Polygon:
     try:
         return Polygon(given)
     except InvalidPolygon as error:
-        raise _blaming(number, error) from None
-
-
-def _blaming(number: int, error: InvalidPolygon) -> InvalidPolygon:
-    return InvalidPolygon(f"ring {number}: {error.what}", error.mend, error.vertices, error.place)
+        raise error.within(told("ring {number}", number=number)) from None
 
 
 def _nested(rings: Sequence[Polygon]) -> tuple[int, ...]:
