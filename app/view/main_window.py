@@ -98,7 +98,7 @@ class MainWindow(QMainWindow):
         session.changed.connect(self._follow_selection)
         session.tool_changed.connect(self._follow_tool)
         self.watching.begin(self.actions_table)
-        for follow in (self._follow, self._follow_selection, self._follow_tool, self._dress):
+        for follow in (self._follow, self._follow_selection, self._follow_tool, self._follow_theme):
             follow()
 
     # layout
@@ -290,12 +290,12 @@ class MainWindow(QMainWindow):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
-            self._dress()
+            self.actions_table.dress(self.palette())
+            self.watching.dress()
+            self._follow_theme()
 
-    def _dress(self) -> None:
-        self.actions_table.dress(self.palette())
+    def _follow_theme(self) -> None:
         self.actions_table[theme_of(self.palette()).name].setChecked(True)
-        self.watching.dress()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self.files.may_go():

@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QCoreApplication, QObject
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QPalette
+from PySide6.QtWidgets import QWidget
 
 from app.view.commands.command import Command
 from app.view.commands.table import COMMANDS
@@ -20,13 +21,13 @@ class Actions:
 
     Parameters
     ----------
-    parent : QObject
-        What owns them.
+    parent : QWidget
+        What owns them, and whose colours their icons have: a button made of them has its size at once.
     handlers : mapping of str to callable
         For each command what it does; that of a switch is called after it was switched.
     """
 
-    def __init__(self, parent: QObject, handlers: Mapping[str, Callable[[], object]]) -> None:
+    def __init__(self, parent: QWidget, handlers: Mapping[str, Callable[[], object]]) -> None:
         self._actions: dict[str, QAction] = {}
         groups: dict[str, QActionGroup] = {}
         for command in COMMANDS:
@@ -36,6 +37,7 @@ class Actions:
                 group = groups.setdefault(command.group, QActionGroup(parent))
                 group.addAction(action)
             self._actions[command.name] = action
+        self.dress(parent.palette())
 
     def __getitem__(self, name: str) -> QAction:
         return self._actions[name]

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QColorDialog, QComboBox, QLineEdit, QWidget
 from app.model.pairing import Ends
 from app.view.lists.parts_list import PartsTable
 from app.view.lists.parts_model import NAME, SOURCE, TARGET
+from app.view.main_window import MainWindow
 from starskel.files.key_shape import KeyShape
 from starskel.files.project import Project
 from starskel.files.step import Link, Step
@@ -323,3 +324,13 @@ def test_a_click_in_the_list_chooses_one_part_again(face: Driver) -> None:
     choose_rows(face, 1)
     assert not face.session.selection.links
     assert face.document.link == 1
+
+
+def test_the_list_that_opens_with_several_parts_does_not_make_the_window_wider(
+    driver: Driver, window: MainWindow
+) -> None:
+    window.resize(1024, 760)
+    window.files.open_example("letters-a-r")
+    driver.wait(window.parts.isVisible)
+    driver.wait(lambda: bool(window.session.fresh_results))
+    assert window.width() == 1024
