@@ -3399,8 +3399,8 @@
         <translation>Fläche, Längen und Kreuzungen über die Zeit</translation>
     </message>
     <message>
-        <source>Drift of area and lengths, and where frames cross themselves. Click to go there.</source>
-        <translation>Abweichung von Fläche und Längen, und wo Zwischenbilder sich kreuzen. Ein Klick führt dorthin.</translation>
+        <source>Drift of area and lengths. Solid bars: frames cross themselves; hollow bars: they lie over themselves, as a coil does. Click to go there.</source>
+        <translation>Abweichung von Fläche und Längen. Volle Balken: Bilder kreuzen sich selbst; hohle Balken: sie liegen über sich selbst, wie eine Spirale. Ein Klick führt dorthin.</translation>
     </message>
     <message>
         <source>{method}: lies over itself, naturally, from t = {start} to {stop}</source>

@@ -143,7 +143,10 @@ class StripChart(QWidget):
     def _tip(self, place: QPointF) -> str:
         crossing = self._crossing_at(place)
         if crossing is None:
-            return self.tr("Drift of area and lengths, and where frames cross themselves. Click to go there.")
+            return self.tr(
+                "Drift of area and lengths. Solid bars: frames cross themselves; hollow bars: they lie over "
+                "themselves, as a coil does. Click to go there."
+            )
         curve, span = crossing
         text = (
             self.tr("{method}: lies over itself, naturally, from t = {start} to {stop}")
