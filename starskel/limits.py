@@ -25,8 +25,11 @@ DRAWING_ELEMENTS = 10_000
 DRAWING_NUMBERS = 300_000
 """Numbers and commands of its paths."""
 
+DRAWING_SHAPES = 4_000
+"""Geometries of a WKT file, features of a GeoJSON file: each is checked and mended on its own."""
+
 DEPTH = 200
-"""How deep elements of an SVG file may be nested."""
+"""How deep elements of an SVG file, and brackets of a WKT file, may be nested."""
 
 CROSSINGS = 5_000
 """How often the rings of one shape of a file may cross: each is mended."""

@@ -444,6 +444,10 @@
         <translation>das GeoJSON</translation>
     </message>
     <message>
+        <source>shapes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the GeoJSON is damaged: {error}</source>
         <translation>die GeoJSON-Datei ist beschädigt: {error}</translation>
     </message>
@@ -560,12 +564,16 @@
         <translation>das WKT</translation>
     </message>
     <message>
-        <source>the file is no WKT</source>
-        <translation>die Datei ist kein WKT</translation>
+        <source>brackets</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>give a text file</source>
-        <translation>geben Sie eine Textdatei</translation>
+        <source>words</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is no WKT</source>
+        <translation>die Datei ist kein WKT</translation>
     </message>
     <message>
         <source>nested brackets</source>

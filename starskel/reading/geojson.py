@@ -7,7 +7,7 @@ import msgspec
 import shapely
 
 from starskel.errors import InvalidFile, told
-from starskel.limits import DRAWING_NUMBERS, check_limit
+from starskel.limits import DRAWING_BYTES, DRAWING_NUMBERS, DRAWING_SHAPES, check_limit
 from starskel.reading.areas import area_of
 from starskel.reading.found import Found, Reading, uniquely_named
 from starskel.reading.wanted import Wanted
@@ -31,14 +31,15 @@ def read(content: bytes, wanted: Wanted) -> Reading:
     Raises
     ------
     InvalidFile
-        If it is damaged or no GeoJSON.
+        If it is damaged, no GeoJSON, or exceeds a limit.
     """
-    check_limit(
-        told("the GeoJSON"), told("values"), content.count(b",") + content.count(b"["), DRAWING_NUMBERS
-    )
+    values = content.count(b",") + content.count(b"[")
+    check_limit(told("the GeoJSON"), told("bytes"), len(content), DRAWING_BYTES)
+    check_limit(told("the GeoJSON"), told("values"), values, DRAWING_NUMBERS)
     try:
         document = msgspec.json.decode(content)
         features = list(_features(document))
+        check_limit(told("the GeoJSON"), told("shapes"), len(features), DRAWING_SHAPES)
         geometries = [shapely.from_geojson(msgspec.json.encode(geometry)) for _, geometry in features]
     except InvalidFile:
         raise

@@ -16,6 +16,8 @@ TANGLE = " ".join(f"{x:.3f} {y:.3f}" for x, y in np.random.default_rng(0).random
 POINTS = TANGLE.split()
 CLOSED = ", ".join(map(" ".join, zip([*POINTS[::2], POINTS[0]], [*POINTS[1::2], POINTS[1]], strict=True)))
 STROKED = f'<path d="M{TANGLE}" fill="none" stroke="black"/>'
+POINT = b'{"type":"Feature","geometry":{"type":"Point","coordinates":[1,2]}}'
+POINTS_OF_A_MAP = b'{"type":"FeatureCollection","features":[' + b",".join([POINT] * 4001) + b"]}"
 
 
 @pytest.mark.parametrize(
@@ -66,8 +68,16 @@ def test_an_unknown_encoding_is_a_damaged_file() -> None:
         (b'{"type":["Polygon"]}', "a.geojson", "damaged"),
         (b'{"type":"FeatureCollection","features":7}', "a.geojson", "damaged"),
         (b'{"type":"FeatureCollection","features":[' + b"0," * 400_000, "a.geojson", "values; give a file"),
+        (b"A" * 14_000_000, "a.wkt", "is no WKT"),
+        (b" " * 14_000_000, "a.wkt", "is no WKT"),
+        (b"POINT (1 1)) " * 9, "a.wkt", "is no WKT|damaged"),
+        (b"EMPTY " * 400_000, "a.wkt", "300001 words; give a file with at most 300000"),
+        (b"POINT (1 1)\n" * 4001, "a.wkt", "4001 shapes; give a file with at most 4000"),
+        (b"()" * 100_001, "a.wkt", "100001 brackets; give a file with at most 100000"),
+        (b"GEOMETRYCOLLECTION (CIRCULARSTRING (0 0, 1 1, 2 0))", "a.wkt", "holds no shape"),
+        (POINTS_OF_A_MAP, "a.geojson", "4001 shapes; give a file with at most 4000"),
     ],
-    ids=["0", "1", "2", "3", "4"],
+    ids=[str(k) for k in range(13)],
 )
 def test_maps_beyond_a_limit_or_of_other_things_are_refused(content: bytes, path: str, why: str) -> None:
     with pytest.raises(InvalidFile, match=why):
@@ -78,9 +88,12 @@ def test_maps_beyond_a_limit_or_of_other_things_are_refused(content: bytes, path
     ("coordinates", "why"),
     [
         ("0 0, 1e308 0, 1e308 1e308, 0 0", "beyond all numbers"),
+        ("0 0, 1e400 0, 1 1, 0 0", "beyond all numbers"),
+        ("0 0, nan 0, 1 1, 0 0", "beyond all numbers"),
+        ("0 0, inf -inf, 1 1, 0 0", "beyond all numbers"),
         (CLOSED, "crossings; give a file with at most 5000"),
     ],
-    ids=["0", "1"],
+    ids=[str(k) for k in range(5)],
 )
 def test_areas_beyond_all_numbers_and_tangles_are_refused(coordinates: str, why: str) -> None:
     with pytest.raises(InvalidFile, match=why):
