@@ -79,8 +79,15 @@ def triangulate_rings(points: Points, rings: Rings) -> Triangulation:
     if triangles is None:
         triangles = np.concatenate([_one_by_one(points, ring) + first for ring, first in corners.parts()])
     found = _split_runs(np.flatnonzero(corner)[triangles].tolist(), _runs(corner, rings))
-    triangles = np.array(found, dtype=np.intp).reshape(-1, 3)
+    triangles = _sorted(np.array(found, dtype=np.intp).reshape(-1, 3))
     return Triangulation(points, rings, triangles, _twins(triangles))
+
+
+def _sorted(triangles: Indices) -> Indices:
+    """Sort triangles, each from its least corner on: so their order is not that in which they were found."""
+    least = triangles.argmin(axis=1)[:, None]
+    triangles = np.take_along_axis(triangles, (least + np.arange(3)) % 3, axis=1)
+    return triangles[np.lexsort(triangles.T[::-1])]
 
 
 def _one_by_one(points: Points, ring: Indices) -> Indices:
@@ -188,7 +195,7 @@ def _runs(corner: Relation, rings: Rings) -> dict[tuple[int, int], list[int]]:
 def _split_runs(waiting: list[Triangle], runs: dict[tuple[int, int], list[int]]) -> list[Triangle]:
     """Split triangles at straight vertices into fans from the opposite corner."""
     if not runs:
-        return waiting[::-1]
+        return waiting
     done: list[Triangle] = []
     while waiting:
         a, b, c = waiting.pop()

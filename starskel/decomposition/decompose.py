@@ -6,6 +6,7 @@ import numpy as np
 
 from starskel.correspondence import Correspondence
 from starskel.decomposition.board import Board
+from starskel.decomposition.canonical import Reading, canonical
 from starskel.decomposition.kernel import star_points, star_vertices
 from starskel.decomposition.ladder import by_fan, climb
 from starskel.decomposition.links import links_of
@@ -16,7 +17,6 @@ from starskel.decomposition.rivals import by_rivals
 from starskel.decomposition.shape import shaped
 from starskel.decomposition.transfer import transfer
 from starskel.errors import NoDecomposition, StarskelError
-from starskel.outline import precedes
 from starskel.points import points_of
 from starskel.predicates import Floats
 from starskel.rings import Rings
@@ -95,28 +95,12 @@ def _decomposed(
     pair: Correspondence, tile: Callable[[Board, Piece, Task], list[Piece]], task: Task
 ) -> Decomposition:
     task.reach(0)
-    swapped, start = way = _canonical(pair)
-    sides = [points_of(np.roll(ring, -start, axis=0)) for ring in (pair.source, pair.target)]
-    board = Board(*(sides[::-1] if swapped else sides))
+    reading = canonical(pair)
+    board = Board(*(points_of(ring) for ring in reading.read(pair)))
     pieces = tile(board, tuple(range(board.n)), task)
-    found = _finished(pair, board, pieces, way, task.quiet)
+    found = _finished(pair, board, pieces, reading, task.quiet)
     task.reach(1)
     return found
-
-
-def _canonical(pair: Correspondence) -> tuple[bool, int]:
-    """Choose which polygon counts as the source, and which row as the first, by the points alone.
-
-    So a pair is decomposed in one way, whichever of its polygons is the source and whatever row it starts at.
-    """
-    rings = pair.source, pair.target
-    starts = [int(np.lexsort(ring.T[::-1])[0]) for ring in rings]
-    ways = [
-        np.roll(np.concatenate(ordered, axis=1), -start, axis=0)
-        for ordered, start in zip((rings, rings[::-1]), starts, strict=True)
-    ]
-    swapped = precedes(ways[1], ways[0])
-    return swapped, starts[swapped]
 
 
 def _minimal(board: Board, whole: Piece, steiner: bool, task: Task) -> list[Piece]:
@@ -161,16 +145,18 @@ def _fewest(board: Board, whole: Piece, task: Task) -> list[Piece] | None:
 
 
 def _finished(
-    pair: Correspondence, board: Board, pieces: list[Piece], way: tuple[bool, int], task: Task
+    pair: Correspondence, board: Board, pieces: list[Piece], reading: Reading, task: Task
 ) -> Decomposition:
     """Count rows from the pair's own, drop the Steiner vertices that no piece uses, and find the origins."""
-    (swapped, start), n = way, board.n
-    rows = [*((v - start) % n for v in range(n)), *sorted({v for p in pieces for v in p if v >= n})]
-    name = {old: new for new, old in enumerate(rows)}
-    named = tuple(tuple(name[v] for v in piece) for piece in pieces)
-    source, target = (side.coordinates[rows] for side in board.sides[:: -1 if swapped else 1])
-    source_origins, target_origins = _origins(board, pieces, task)[:: -1 if swapped else 1]
-    return Decomposition(pair, source, target, named, source_origins, target_origins)
+    n = board.n
+    placed = sorted({v for p in pieces for v in p if v >= n})
+    name = dict(zip(placed, range(n, n + len(placed)), strict=True))
+    name.update(enumerate(reading.rows(n).tolist()))
+    named = tuple(reading.turned(tuple(name[v] for v in piece)) for piece in pieces)
+    rows = [*np.argsort(reading.rows(n)).tolist(), *placed]
+    source, target = reading.ordered([reading.placed(side.coordinates[rows]) for side in board.sides])
+    origins = [reading.placed(places) for places in _origins(board, pieces, task)]
+    return Decomposition(pair, source, target, named, *reading.ordered(origins))
 
 
 def _origins(board: Board, pieces: list[Piece], task: Task) -> list[Floats]:

@@ -86,7 +86,7 @@ def test_figure_8_needs_two_steiner_vertices_for_four_pieces():
     decomposition = decompose(pair)
     assert len(decomposition.source) - len(pair) == 2
     assert len(decomposition.pieces) == 4
-    assert measured(8, "star-skeleton").simple
+    assert measured(8, "stitched").simple
 
 
 @pytest.mark.parametrize("method", ["star-skeleton", "stitched", "rigid"])

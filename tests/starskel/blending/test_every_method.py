@@ -61,7 +61,7 @@ def test_one_frame_and_many_frames_agree_to_the_bit(method):
 
 
 @every_method
-@pytest.mark.parametrize("name", ["hand-open", "random-16-3"])
+@pytest.mark.parametrize("name", ["hand-open", "random-16-7"])
 def test_equal_input_gives_equal_output_to_the_bit(name, method):
     first, second = (blend(*shapes(name), method=method).frames(TIMES) for _ in range(2))
     assert first.tobytes() == second.tobytes()
@@ -114,7 +114,9 @@ def test_changing_both_shapes_changes_the_frames_alike(name, method, change):
 
 
 @every_method
-@pytest.mark.parametrize("name", ["wrench-hammer", "run-walk", "random-16-3"])
+@pytest.mark.parametrize(
+    "name", ["wrench-hammer", "run-walk", "random-9-2", "random-12-3", "random-12-5", "random-16-7"]
+)
 def test_mirrored_shapes_have_mirrored_frames(name, method):
     expected = prepared(name, method).frames(TIMES) * [-1, 1]
     frames = transformed(name, method, lambda ring: ring * [-1, 1])
@@ -123,7 +125,7 @@ def test_mirrored_shapes_have_mirrored_frames(name, method):
 
 
 @every_method
-@pytest.mark.parametrize("name", ["wrench-hammer", "run-walk", "random-16-3"])
+@pytest.mark.parametrize("name", ["wrench-hammer", "run-walk", "random-16-7"])
 def test_the_vertex_that_a_ring_starts_with_does_not_matter(name, method):
     source, target, marks = shapes(name)
     n, m = len(source), len(target)
