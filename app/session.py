@@ -12,8 +12,8 @@ from app.model.document import Document
 from app.model.filing import Filed, document_of, project_of
 from app.model.history import History
 from app.model.marks import Marks, Side
+from app.model.news import NONE, News, news_of
 from app.model.selection import Selection
-from app.model.sequence import lost_marks
 from app.tools.hand import Hand, Pointed
 from app.tools.marking import replace_marks
 from app.tools.refusal import Refusal
@@ -98,9 +98,9 @@ class Session(QObject):
         return self.hand.refusal
 
     @property
-    def lost(self) -> int:
+    def news(self) -> News:
         """How many marks the last edit of a shape took along, until the next one is begun."""
-        return self.hand.lost
+        return self.hand.news
 
     @property
     def path(self) -> Path | None:
@@ -270,18 +270,18 @@ class Session(QObject):
     def arrange(self, verb: Callable[[], Document], name: str, side: Side) -> None:
         """Change the sequence of key shapes; the shape on this side is the one worked on next."""
         if self.finish() and (document := verb()) != self.document:
-            lost = lost_marks(self.document.sequence, document.sequence)
+            news = news_of(self.document, document)
             self.history = self.history.push(document, name)
-            self._look(Selection(side), lost)
+            self._look(Selection(side), news)
 
     def choose(self, selection: Selection) -> None:
         """Select something; its side is the one worked on."""
         if selection != self.selection and self.finish():
             self._take(self.hand.select(selection))
 
-    def _look(self, selection: Selection, lost: int = 0) -> None:
+    def _look(self, selection: Selection, news: News = NONE) -> None:
         """Show the step that the document is at now."""
-        self.hand = replace(self.hand.select(selection), lost=lost)
+        self.hand = replace(self.hand.select(selection), news=news)
         self.tool_changed.emit()
         self.point("source", None)
         self.step_changed.emit()
@@ -358,7 +358,7 @@ class Session(QObject):
         if commit.document == self.document:
             self._blend(self.document)  # the gesture ended where it began
             return
-        self.hand = replace(self.hand, lost=lost_marks(self.document.sequence, commit.document.sequence))
+        self.hand = replace(self.hand, news=news_of(self.document, commit.document))
         self.history = self.history.push(commit.document, commit.name, commit.joins)
         self._refresh()
 

@@ -3,8 +3,10 @@
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
+from app.model.clipping import everything_of
 from app.model.document import Document
 from app.model.marks import SIDES, Side
+from app.model.news import NONE, News
 from app.model.selection import Selection, everything
 from app.tools.draw import DrawTool
 from app.tools.refusal import Refusal
@@ -32,15 +34,15 @@ class Hand:
         What the user has set for the tools.
     refusal : Refusal or None
         The last edit that was not possible, until the next one is tried.
-    lost : int
-        How many marks the last edit of a shape took along, until the next one is begun.
+    news : News
+        What the last edit brought with it, until the next one is begun.
     """
 
     tool: Tool = field(default_factory=SelectTool)
     selection: Selection = field(default_factory=Selection)
     settings: Settings = field(default_factory=Settings)
     refusal: Refusal | None = None
-    lost: int = 0
+    news: News = NONE
 
     @property
     def busy(self) -> bool:
@@ -50,7 +52,7 @@ class Hand:
     @property
     def occupied(self) -> bool:
         """Whether there is a gesture to give up, or something said to put away."""
-        return self.busy or self.refusal is not None or self.lost > 0
+        return self.busy or self.refusal is not None or bool(self.news)
 
     def scene(self, document: Document) -> Scene:
         """Give what the tool sees."""
@@ -121,17 +123,20 @@ class Hand:
         """Give up the gesture, or what was said, or the selection."""
         if self.busy or self.refusal is not None:
             return self.after(Response(self.tool.cancel()))[0]
-        if self.lost:
-            return replace(self, lost=0)
+        if self.news:
+            return replace(self, news=NONE)
         return replace(self, selection=Selection(self.selection.side))
 
     def select_all(self, document: Document, side: Side) -> "Hand":
-        """Select a whole shape."""
-        return self.after(Response(SelectTool(), selection=everything(document, side)))[0]
+        """Select the part worked on, and where that is selected already, all parts of its shape."""
+        chosen, parts = everything(document, side), len(document.shape(side))
+        if chosen == self.selection and parts > 1:
+            chosen = everything_of(document, side, parts)
+        return self.after(Response(SelectTool(), selection=chosen))[0]
 
     def select(self, selection: Selection) -> "Hand":
         """Select something else, with the tool in hand put down and taken up again."""
-        return replace(self, tool=TOOLS[self.tool.name], selection=selection, refusal=None, lost=0)
+        return replace(self, tool=TOOLS[self.tool.name], selection=selection, refusal=None, news=NONE)
 
     def for_document(self, document: Document) -> "Hand":
         """Give the hand that begins on a document: it draws on empty canvases."""
@@ -141,6 +146,6 @@ class Hand:
     def after(self, response: Response) -> Taken:
         """Take in an answer."""
         selection = self.selection if response.selection is None else response.selection
-        lost = 0 if response.refusal is not None or response.tool.busy else self.lost
-        hand = replace(self, tool=response.tool, selection=selection, refusal=response.refusal, lost=lost)
+        news = NONE if response.refusal is not None or response.tool.busy else self.news
+        hand = replace(self, tool=response.tool, selection=selection, refusal=response.refusal, news=news)
         return hand, response.commit

@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from app.model import transforms
+from app.model.clipping import cut
 from app.model.marks import Side
 from app.model.point import Point
 from app.model.selection import Selection, everything
@@ -152,6 +153,9 @@ class SelectTool(Tool):
 
     def _delete(self, scene: Scene) -> Response:
         side, vertices = scene.selection.side, scene.selection.vertices
+        if scene.selection.links:
+            gone = Commit(cut(scene.document, scene.selection), QT_TRANSLATE_NOOP("Step", "Delete parts"))
+            return Response(SelectTool(side), gone, Selection(side))
         try:
             document = scene.document.delete(side, vertices)
         except StarskelError as error:

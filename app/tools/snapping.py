@@ -6,6 +6,7 @@ from itertools import combinations
 from math import atan2, cos, pi, sin
 
 import numpy as np
+import shapely
 
 from app.model.document import Document
 from app.model.marks import Side
@@ -92,22 +93,47 @@ class Ground:
 
 
 def ground_for_drawing(document: Document, side: Side, path: Sequence[Point] = ()) -> Ground:
-    """Give what catches a new vertex: the shape to be replaced, and the path drawn so far."""
-    old = document.vertices(side)
-    beside = np.concatenate([old, np.array(path).reshape(-1, 2)])
-    return Ground(old, beside, old, np.roll(old, -1, axis=0), origins=tuple(path[-1:]))
+    """Give what catches a new vertex: all parts, that to be replaced among them, and the path so far."""
+    rings = [document.vertices(side), *_others(document, side)]
+    met = _met_by(rings)
+    return replace(
+        met, beside=np.concatenate([met.points, np.array(path).reshape(-1, 2)]), origins=tuple(path[-1:])
+    )
 
 
 def ground_for_moving(document: Document, side: Side, moving: Collection[int]) -> Ground:
-    """Give what catches vertices that are moved: the others, and if it is one, what is straight with it."""
-    ring = document.vertices(side)
-    beside = np.delete(ring, sorted(moving), axis=0)
+    """Give what catches vertices that are moved: the others, and if it is one, what is straight with it.
+
+    Other parts may be met, but not those inside the part or around it: meeting them makes a part of a hole.
+    """
+    ring, others = document.vertices(side), _others(document, side)
+    rest = np.delete(ring, sorted(moving), axis=0)
+    met = _met_by([other for other in others if not _nested(ring, other)])
+    ground = replace(met, beside=np.concatenate([rest, *others]))
     if len(moving) != 1 or len(ring) < 4:
-        return Ground(beside=beside)
+        return ground
     (vertex,) = moving
     before2, before, after, after2 = (as_point(ring[(vertex + k) % len(ring)]) for k in (-2, -1, 1, 2))
     lines = (_line(before, after, 0), _line(before, before2), _line(after, after2))
-    return Ground(beside=beside, lines=tuple(line for line in lines if line), origins=(before, after))
+    return replace(ground, lines=tuple(line for line in lines if line), origins=(before, after))
+
+
+def _others(document: Document, side: Side) -> list[Floats]:
+    """Give the rings of the parts that are shown beside the one worked on."""
+    own = document.part(side)
+    shown = enumerate(document.shape(side).parts)
+    return [part.ring.vertices for number, part in shown if part.visible and number != own]
+
+
+def _met_by(rings: Sequence[Floats]) -> Ground:
+    points = np.concatenate([np.empty((0, 2)), *rings])
+    ends = [np.roll(ring, -1, axis=0) for ring in rings]
+    return Ground(points, starts=points, ends=np.concatenate([np.empty((0, 2)), *ends]))
+
+
+def _nested(ring: Floats, other: Floats) -> bool:
+    pairs = ((ring, other), (other, ring))
+    return any(bool(shapely.contains_xy(shapely.Polygon(outer), *inner[0])) for inner, outer in pairs)
 
 
 def begun_at(scene: Scene, pointer: Pointer) -> Catch:

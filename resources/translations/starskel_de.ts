@@ -1007,8 +1007,8 @@
         <translation>Alle&amp;s auswählen</translation>
     </message>
     <message>
-        <source>Select all vertices of the shape last worked on</source>
-        <translation>Alle Eckpunkte der zuletzt bearbeiteten Form auswählen</translation>
+        <source>Select the part last worked on; once more, all parts of its shape</source>
+        <translation>Wählt das zuletzt bearbeitete Teil aus, noch einmal alle Teile seiner Form</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
@@ -1776,6 +1776,20 @@
         <translation>
             <numerusform>{name} enthält %n Form.</numerusform>
             <numerusform>{name} enthält %n Formen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n holes are parts now, as they are no longer inside their outline.</source>
+        <translation>
+            <numerusform>%n Loch ist jetzt ein Teil, denn es liegt nicht mehr in seinem Umriss.</numerusform>
+            <numerusform>%n Löcher sind jetzt Teile, denn sie liegen nicht mehr in ihrem Umriss.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts are holes now, as they are inside another part.</source>
+        <translation>
+            <numerusform>%n Teil ist jetzt ein Loch, denn es liegt in einem anderen Teil.</numerusform>
+            <numerusform>%n Teile sind jetzt Löcher, denn sie liegen in einem anderen Teil.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2781,6 +2795,14 @@
         <translation>Teil {number}</translation>
     </message>
     <message>
+        <source>New part {number}</source>
+        <translation>Neues Teil {number}</translation>
+    </message>
+    <message>
+        <source>{part} to {number}</source>
+        <translation>{part} zu {number}</translation>
+    </message>
+    <message>
         <source>from a point</source>
         <translation>aus einem Punkt</translation>
     </message>
@@ -3223,6 +3245,10 @@
     <message>
         <source>Nudge vertices</source>
         <translation>Eckpunkte rücken</translation>
+    </message>
+    <message>
+        <source>Delete parts</source>
+        <translation>Teile löschen</translation>
     </message>
     <message>
         <source>Delete vertices</source>

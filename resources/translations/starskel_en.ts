@@ -46,6 +46,20 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n holes are parts now, as they are no longer inside their outline.</source>
+        <translation>
+            <numerusform>%n hole is a part now, as it is no longer inside its outline.</numerusform>
+            <numerusform>%n holes are parts now, as they are no longer inside their outline.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts are holes now, as they are inside another part.</source>
+        <translation>
+            <numerusform>%n part is a hole now, as it is inside another part.</numerusform>
+            <numerusform>%n parts are holes now, as they are inside another part.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n marks went with this edit. Undo brings them back.</source>
         <translation>
             <numerusform>%n mark went with this edit. Undo brings it back.</numerusform>

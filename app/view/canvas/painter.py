@@ -44,11 +44,11 @@ def paint_canvas(stage: Stage, layers: Layers) -> None:
 
 
 def _paint_news(stage: Stage) -> None:
-    """Tell how many marks the last edit took with it."""
-    lost, clear = stage.session.lost, stage.screen[:: len(stage.screen) // MANY + 1]
-    if lost and stage.side == stage.session.selection.side:
+    """Tell what the last edit brought with it."""
+    news, clear = stage.session.news, stage.screen[:: len(stage.screen) // MANY + 1]
+    if news and stage.side == stage.session.selection.side:
         shape = [point_of(place) for place in clear]
-        paint_news(stage.painter, stage.theme, stage.frame, COUNTS.lost_marks(lost), shape)
+        paint_news(stage.painter, stage.theme, stage.frame, COUNTS.news(news), shape)
 
 
 def _paint_backdrop(stage: Stage) -> None:

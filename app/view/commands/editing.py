@@ -20,7 +20,7 @@ EDITING = (
     Command(
         "select-all",
         QT_TRANSLATE_NOOP("Command", "Select &All"),
-        QT_TRANSLATE_NOOP("Command", "Select all vertices of the shape last worked on"),
+        QT_TRANSLATE_NOOP("Command", "Select the part last worked on; once more, all parts of its shape"),
         ("Ctrl+A",),
     ),
     Command(

@@ -119,7 +119,8 @@ class PartsModel(QAbstractTableModel):
         if role != Qt.ItemDataRole.EditRole:
             return False
         if index.column() == NAME:
-            self._partnering.rename(link, str(value).strip())
+            if value != self._text(index):  # else what was not typed would become the name
+                self._partnering.rename(link, str(value).strip())
             return True
         source, target = self._shown[link].ends
         chosen = (value, target) if index.column() == SOURCE else (source, value)
@@ -168,9 +169,7 @@ class PartsModel(QAbstractTableModel):
 
     def _text(self, index: Index) -> str:
         if index.column() == NAME:
-            link = self._shown[self.link(index.row())]
-            number = next(part for part in link.ends if part is not None)
-            return words.part(self._members(index.row())[0], number)
+            return words.link(self._session.document, self.link(index.row()))
         part = self.part(index)
         return _none(_side(index.column())) if part is None else str(part + 1)
 

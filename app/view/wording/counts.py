@@ -2,6 +2,8 @@
 
 from PySide6.QtCore import QObject
 
+from app.model.news import News
+
 
 class Counts(QObject):
     """Says how many there are of something, in the plural or singular of the user's language."""
@@ -24,6 +26,19 @@ class Counts(QObject):
     def shapes_in(self, name: str, count: int) -> str:
         """Say how many shapes a file holds."""
         return self.tr("{name} holds %n shapes.", "", count).format(name=name)
+
+    def news(self, news: News) -> str:
+        """Say what an edit brought with it."""
+        told = (self.lost_marks, news.lost), (self.filled, news.filled), (self.opened, news.opened)
+        return " ".join(sentence(count) for sentence, count in told if count)
+
+    def filled(self, count: int) -> str:
+        """Say that holes are parts now."""
+        return self.tr("%n holes are parts now, as they are no longer inside their outline.", "", count)
+
+    def opened(self, count: int) -> str:
+        """Say that parts are holes now."""
+        return self.tr("%n parts are holes now, as they are inside another part.", "", count)
 
     def lost_marks(self, count: int) -> str:
         """Say that an edit took marks away."""

@@ -4,6 +4,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLocale
 
 from app.model.document import Document
 from app.model.marks import Side, witness
+from app.model.parts import members
 from starskel.correspondence.marks import Mark
 from starskel.errors import InvalidMarks, InvalidPolygon, StarskelError, Told
 from starskel.files.key_shape import Part
@@ -95,6 +96,19 @@ def invitation(document: Document, side_name: Side) -> str:
 def part(given: Part, number: int) -> str:
     """Give what a part is called: its name, or its number in its shape."""
     return given.name or translate("Part", "Part {number}").format(number=number + 1)
+
+
+def link(document: Document, number: int) -> str:
+    """Give what a part and its partner are called: a name, or numbers that no other link has."""
+    source, target = document.way.links[number].ends
+    given = members(document, number)[0]
+    if source is None and target is not None:
+        return given.name or translate("Part", "New part {number}").format(number=target + 1)
+    assert source is not None
+    several = sum(link.source == source for link in document.way.links) > 1
+    if target is None or not several:
+        return part(given, source)
+    return translate("Part", "{part} to {number}").format(part=part(given, source), number=target + 1)
 
 
 def no_partner(side_name: Side) -> str:

@@ -3,9 +3,12 @@ from math import atan2, degrees
 import pytest
 
 from app.model.document import Document
+from app.model.sequence import Sequence
 from app.tools.settings import Snapping
 from app.tools.snapping import caught, ground_for_drawing, ground_for_moving
 from app.tools.tool import Catch, Pointer
+from starskel.files.key_shape import KeyShape, Part
+from starskel.files.step import Link, Step
 from starskel.polygon import Polygon
 
 SQUARE = Document.of(source=Polygon([(0, 0), (10, 0), (10, 10), (0, 10)]))
@@ -87,3 +90,36 @@ def test_an_empty_canvas_catches_by_the_grid_alone() -> None:
     ground = ground_for_drawing(Document(), "source")
     assert caught(at(1, 1), Snapping(angles=True), ground) == Catch((1, 1))
     assert caught(at(1, 1), ALL, ground) == Catch((0, 0), "grid")
+
+
+SEVERAL = Document(
+    sequence=Sequence(
+        (
+            KeyShape(
+                (
+                    Part(Polygon([(0, 0), (10, 0), (10, 10), (0, 10)])),
+                    Part(Polygon([(20, 0), (30, 0), (30, 10), (20, 10)])),
+                    Part(Polygon([(4, 4), (6, 4), (5, 6)])),
+                    Part(Polygon([(40, 0), (50, 0), (45, 9)]), visible=False),
+                )
+            ),
+            KeyShape(),
+        ),
+        (Step(tuple(Link(k, None) for k in range(4))),),
+    )
+)
+
+
+def test_all_parts_that_are_shown_catch() -> None:
+    drawing = ground_for_drawing(SEVERAL.showing(0, 4), "source")
+    moving = ground_for_moving(SEVERAL, "source", {2})
+    for ground in (drawing, moving):
+        assert caught(at(20.3, 9.8), Snapping(), ground) == Catch((20, 10), "vertex")
+        assert caught(at(20.3, 5), Snapping(vertices=False), ground).at == (20, 5)
+        assert caught(at(44.9, 9.1), Snapping(), ground).kind != "vertex"  # it is hidden
+
+
+def test_holes_and_outlines_do_not_catch_each_other_but_are_level() -> None:
+    for link, vertex, place in ((0, 2, at(5.2, 6.1)), (2, 2, at(10.1, 9.9))):
+        catch = caught(place, Snapping(), ground_for_moving(SEVERAL.showing(0, link), "source", {vertex}))
+        assert catch.kind == "aligned"

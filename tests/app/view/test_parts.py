@@ -7,10 +7,12 @@ from PySide6.QtGui import QColor, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QColorDialog, QComboBox, QLineEdit, QWidget
 
+from app.model.news import News
 from app.model.pairing import Ends
 from app.view.lists.parts_list import PartsTable
 from app.view.lists.parts_model import NAME, SOURCE, TARGET
 from app.view.main_window import MainWindow
+from app.view.wording.counts import COUNTS
 from starskel.files.key_shape import KeyShape
 from starskel.files.project import Project
 from starskel.files.step import Link, Step
@@ -334,3 +336,61 @@ def test_the_list_that_opens_with_several_parts_does_not_make_the_window_wider(
     driver.wait(window.parts.isVisible)
     driver.wait(lambda: bool(window.session.fresh_results))
     assert window.width() == 1024
+
+
+def names(driver: Driver) -> list[str]:
+    """Give what the list calls the parts, from the top."""
+    model = table(driver).model()
+    return [model.data(model.index(row, NAME)) for row in range(model.rowCount())]
+
+
+def test_no_two_parts_have_the_same_number_for_a_name(face: Driver) -> None:
+    assert names(face) == ["Part 3", "Part 2", "Part 1"]
+    go_to(face, 0, NAME)
+    face.key(Qt.Key.Key_B, CONTROL | SHIFT)
+    assert names(face) == ["New part 3", "Part 3", "Part 2", "Part 1"]
+    drag(face, (1, SOURCE), (0, SOURCE))
+    drag(face, (0, TARGET), (1, TARGET), besides=True)
+    assert len(set(names(face))) == len(names(face))
+
+
+def test_a_name_that_is_not_changed_is_none(face: Driver) -> None:
+    go_to(face, 0, NAME)
+    QTest.keyClick(table(face), Qt.Key.Key_Return)
+    editor = table(face).findChild(QLineEdit)
+    assert editor is not None
+    QTest.keyClick(editor, Qt.Key.Key_Return)
+    face.wait(lambda: table(face).findChild(QLineEdit) is None)
+    assert face.document.shape("source").parts[2].name == ""
+    assert face.session.undoes is None
+
+
+def test_select_all_takes_the_part_and_once_more_all_parts(face: Driver) -> None:
+    face.key(Qt.Key.Key_A, CONTROL)
+    assert face.session.selection.vertices == {0, 1, 2, 3}
+    assert not face.session.selection.links
+    face.key(Qt.Key.Key_A, CONTROL)
+    assert face.session.selection.links == {0, 1, 2}
+    face.window.actions_table["copy"].trigger()
+    face.key(Qt.Key.Key_Delete)
+    assert not face.document.shape("source").parts
+    assert face.session.undoes == "Delete parts"
+    face.window.actions_table["paste"].trigger()
+    assert face.document.shape("source").rings == (FACE, LEFT_EYE, RIGHT_EYE)
+
+
+def test_a_hole_that_becomes_a_part_is_told(face: Driver) -> None:
+    face.key(Qt.Key.Key_S)
+    face.click("source", (72, 62))
+    before = face.window.canvases["source"].grab().toImage()
+    face.drag("source", (72, 62), (80, 64), (92, 66))
+    assert face.document.shape("source").shape.outer == (-1, 0, -1)
+    assert face.session.news == News(filled=1)
+    assert "parts now" in COUNTS.news(face.session.news)
+    assert face.window.canvases["source"].grab().toImage() != before
+    face.key(Qt.Key.Key_Escape)
+    assert not face.session.news
+    face.drag("source", (96, 66), (80, 64), (76, 62))
+    assert face.session.news == News(opened=1)
+    face.click("source", (50, 30))
+    assert not face.session.news

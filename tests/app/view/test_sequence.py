@@ -162,7 +162,7 @@ def test_commands_duplicate_move_and_delete_the_shape_worked_on(film: Driver) ->
 
 def test_marks_that_cannot_be_kept_are_told(film: Driver) -> None:
     film.window.actions_table["shape-add"].trigger()
-    assert film.session.lost > 0
+    assert film.session.news.lost > 0
 
 
 def test_an_edit_of_a_step_computes_only_the_steps_that_it_touches(film: Driver) -> None:

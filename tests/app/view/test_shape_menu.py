@@ -40,7 +40,7 @@ def test_the_whole_shape_is_mirrored_and_marks_stay_on_their_vertices(pair: Driv
     ends = [ring[source].tolist() for source, _ in pair.document.marks]
     assert ends == [[90, 10], [10, 60]]
     assert pair.session.undoes == "Mirror"
-    assert not pair.session.lost
+    assert not pair.session.news
 
 
 def test_marks_that_would_cross_when_mirrored_are_left_out_and_that_is_said(pair: Driver) -> None:
@@ -51,11 +51,11 @@ def test_marks_that_would_cross_when_mirrored_are_left_out_and_that_is_said(pair
     before = pair.window.canvases["source"].grab().toImage()
     act(pair, "mirror-across")
     assert len(pair.document.marks) == 2
-    assert pair.session.lost == 1
+    assert pair.session.news.lost == 1
     assert pair.window.canvases["source"].grab().toImage() != before
     pair.key(Qt.Key.Key_Z, CONTROL)
     assert len(pair.document.marks) == 3
-    assert not pair.session.lost
+    assert not pair.session.news
 
 
 def test_a_part_that_would_cross_when_mirrored_is_refused(pair: Driver) -> None:
@@ -185,9 +185,9 @@ def test_deleted_marks_are_said(pair: Driver) -> None:
     pair.key(Qt.Key.Key_S)
     pair.click("source", (90, 60))
     pair.key(Qt.Key.Key_Delete)
-    assert pair.session.lost == 1
+    assert pair.session.news.lost == 1
     aside(pair)
-    assert not pair.session.lost
+    assert not pair.session.news
 
 
 @pytest.mark.parametrize(
