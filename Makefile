@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 EXAMPLE := resources/examples/arm.json
 
-.PHONY: run test translations bench setup qt clean
+.PHONY: run test endurance translations bench setup qt clean
 
 setup: .venv/installed
 
@@ -35,6 +35,9 @@ test: qt
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses auto --dist worksteal
+
+endurance: qt
+	$(BIN)/python -m pytest -m endurance --endurance --durations=0
 
 translations: setup
 	$(BIN)/python .ci/translations.py

@@ -1,4 +1,4 @@
-"""For all tests: the pairs of tests/shapes as fixtures; no deadline for the examples of hypothesis."""
+"""For all tests: the pairs of tests/shapes; how long tests of endurance run; no deadline for hypothesis."""
 
 from pathlib import Path
 
@@ -16,6 +16,21 @@ FILES: dict[str, PairFile[ShapePair]] = {
     for file in map(read_pairs, sorted(Path(__file__).parent.glob("shapes/*.json")))
     for pair_id in file.ids
 }
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--endurance", action="store_true", help="run tests of endurance at full length")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.addinivalue_line("markers", "endurance(usual, long): how much of it is done, and at full length")
+
+
+@pytest.fixture
+def rounds(request: pytest.FixtureRequest) -> int:
+    """How much a test of endurance does: what its mark says."""
+    mark = request.node.get_closest_marker("endurance")
+    return int(mark.kwargs["long" if request.config.getoption("--endurance") else "usual"])
 
 
 @pytest.fixture(scope="session")

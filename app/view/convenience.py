@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QDockWidget, QMainWindow
 
 from app.session import Session
 from app.view.about import AboutDialog
+from app.view.asking import asked
 from app.view.canvas.options import SWITCHES
 from app.view.commands.actions import Actions
 from app.view.commands.finder import Finder
@@ -87,18 +88,15 @@ class Convenience(QObject):
         """Let a command be found, and give it when the dialog is gone."""
         assert self._actions is not None
         finder = Finder(self._actions.all, self._window)
-        finder.exec()
+        asked(finder)
         chosen = finder.chosen
-        finder.deleteLater()
         if chosen is not None:
             chosen.trigger()
 
     @Slot()
     def _change_shortcuts(self) -> None:
         assert self._actions is not None
-        dialog = ShortcutsDialog(self._actions.all, self._window)
-        dialog.exec()
-        dialog.deleteLater()
+        asked(ShortcutsDialog(self._actions.all, self._window))
 
     @Slot()
     def _show_manual(self) -> None:
@@ -110,4 +108,4 @@ class Convenience(QObject):
 
     @Slot()
     def _tell(self) -> None:
-        AboutDialog(self._window).exec()
+        asked(AboutDialog(self._window))

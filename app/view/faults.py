@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QPlainTextEdit,
 from app.recovery.journal import log_fault
 from app.recovery.keeper import Keeper
 from app.view.about import versions
+from app.view.asking import asked
 
 
 class Faults(QObject):
@@ -48,7 +49,7 @@ class Faults(QObject):
         if self._shown:
             return  # one message is enough where the same fault comes with every frame
         self._shown = True
-        FaultDialog(f"{versions()}\n\n{text}", self._window, kept=kept).exec()
+        asked(FaultDialog(f"{versions()}\n\n{text}", self._window, kept=kept))
         self._shown = False
 
 
@@ -57,7 +58,6 @@ class FaultDialog(QDialog):
 
     def __init__(self, report: str, parent: QWidget | None = None, *, kept: bool) -> None:
         super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(self.tr("A fault in the program"))
         self.resize(620, 400)
         safe = self.tr("Your document is still here, and what was not saved has been kept in case it ends.")

@@ -71,7 +71,8 @@ def turn_between(source: Shape, target: Shape, pairing: Iterable[Link]) -> float
         return 0.0
     sides = [[link[side] for link in links] for side in (0, 1)]
     around = [
-        [k for k in own if shape.outer[k] < 0] for own, shape in zip(sides, (source, target), strict=True)
+        [k for k in own if shape.outer[k] < 0] or own
+        for own, shape in zip(sides, (source, target), strict=True)
     ]
     first, second = _laid(source, sides[0], around[0]), _laid(target, sides[1], around[1])
 

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.view.asking import accepted, asked
 from app.view.wording import words
 from starskel.errors import StarskelError
 from starskel.reading.readers import ENDINGS
@@ -80,11 +81,7 @@ def path_to_save(parent: QWidget, title: str, suggested: Path, endings: Sequence
     The dialog itself must know the ending: it asks before it lets a file be overwritten.
     """
     dialog = SaveDialog(parent, title, suggested, endings)
-    try:
-        accepted = dialog.exec() == QDialog.DialogCode.Accepted
-        return Path(dialog.selectedFiles()[0]) if accepted else None
-    finally:
-        dialog.deleteLater()
+    return Path(dialog.selectedFiles()[0]) if accepted(dialog) else None
 
 
 class SaveDialog(QFileDialog):
@@ -131,7 +128,7 @@ def ask_about_changes(parent: QWidget, name: str) -> Answer:
     box.setStandardButtons(kind.Save | kind.Discard | kind.Cancel)
     box.setDefaultButton(kind.Save)
     answers = {kind.Save: Answer.SAVE, kind.Discard: Answer.DISCARD}
-    return answers.get(kind(box.exec()), Answer.CANCEL)
+    return answers.get(kind(asked(box)), Answer.CANCEL)
 
 
 def ask_about_overtaking(parent: QWidget, path: Path) -> Answer:
@@ -150,7 +147,7 @@ def ask_about_overtaking(parent: QWidget, path: Path) -> Answer:
     overwrite = box.addButton(translate("Dialogs", "&Overwrite"), QMessageBox.ButtonRole.DestructiveRole)
     box.addButton(QMessageBox.StandardButton.Cancel)
     box.setDefaultButton(elsewhere)
-    box.exec()
+    asked(box)
     clicked = box.clickedButton()
     if clicked == elsewhere:
         return Answer.ELSEWHERE
@@ -169,7 +166,7 @@ def ask_for_another_place(parent: QWidget, path: Path, error: StarskelError) -> 
     elsewhere = box.addButton(translate("Dialogs", "Save &Elsewhere…"), QMessageBox.ButtonRole.AcceptRole)
     box.addButton(QMessageBox.StandardButton.Cancel)
     box.setDefaultButton(elsewhere)
-    box.exec()
+    asked(box)
     return box.clickedButton() == elsewhere
 
 
@@ -183,7 +180,7 @@ def may_overwrite(parent: QWidget, paths: Sequence[Path]) -> bool:
     box.setInformativeText("\n".join(names))
     write = box.addButton(translate("Dialogs", "&Overwrite"), QMessageBox.ButtonRole.AcceptRole)
     box.setDefaultButton(box.addButton(QMessageBox.StandardButton.Cancel))
-    box.exec()
+    asked(box)
     return box.clickedButton() is write
 
 
@@ -195,7 +192,7 @@ def complain(parent: QWidget, heading: str, error: StarskelError) -> None:
     box.setTextFormat(Qt.TextFormat.PlainText)
     box.setText(heading)
     box.setInformativeText(words.sentences(error, "\n\n"))
-    box.exec()
+    asked(box)
 
 
 class PairDialog(QDialog):

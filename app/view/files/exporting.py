@@ -3,10 +3,11 @@
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from app.export import FORMATS, Choice, Stretch, write_choice
 from app.session import Session
+from app.view.asking import accepted
 from app.view.files.dialogs import complain, may_overwrite, path_to_save
 from app.view.files.export_dialog import ExportDialog
 from app.view.files.waiting import Waiting
@@ -33,10 +34,9 @@ def export(window: QWidget, session: Session, player: Player, display: Display, 
     """
     shown, whole = stretches(session)[session.document.step], whole_sequence(session)
     dialog = ExportDialog(shown, player, display, window, whole=bool(whole))
-    accepted, choice = dialog.exec() == QDialog.DialogCode.Accepted, dialog.choice
-    dialog.deleteLater()
-    if not accepted:
+    if not accepted(dialog):
         return None
+    choice = dialog.choice
     title = translate("Files", "Export")
     endings = tuple(each.ending for each in FORMATS[choice.layout])
     path = path_to_save(window, title, file.with_name(f"{file.name}{endings[0]}"), endings)

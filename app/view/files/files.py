@@ -6,9 +6,10 @@ from importlib import import_module
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
-from PySide6.QtWidgets import QDialog, QMainWindow
+from PySide6.QtWidgets import QMainWindow
 
 from app.session import Session
+from app.view.asking import accepted
 from app.view.files.dialogs import (
     PROJECT_ENDING,
     Answer,
@@ -146,8 +147,7 @@ class Files(QObject):
         chosen: str | None = file.ids[0]
         if len(file.ids) > 1:
             dialog = PairDialog(file.ids, self._window)
-            accepted = dialog.exec() == QDialog.DialogCode.Accepted
-            chosen = dialog.chosen if accepted else None
+            chosen = dialog.chosen if accepted(dialog) else None
         if chosen is not None:
             self._session.show_project(Project.of(file.pair(chosen)))
 

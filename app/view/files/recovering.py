@@ -7,6 +7,7 @@ from app.recovery.keeper import Keeper
 from app.recovery.places import Kept, kept_records
 from app.recovery.record import Record
 from app.session import Session
+from app.view.asking import asked
 from app.view.files.dialogs import complain
 from app.view.files.files import Files
 from app.view.files.recovery_dialog import RecoveryDialog
@@ -40,9 +41,8 @@ class Recovering(QObject):
         if not kept:
             return False
         dialog = RecoveryDialog(kept, self._window)
-        dialog.exec()
+        asked(dialog)
         chosen = dialog.chosen
-        dialog.deleteLater()
         if chosen is not None and not (self._files.may_go() and self._open(chosen)):
             chosen = None
         for each in kept:

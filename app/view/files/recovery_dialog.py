@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from app.recovery.places import Kept
 from app.recovery.record import Record
+from app.view.asking import asked
 from app.view.files.project_menus import project_icon
 
 PICTURE = QSize(72, 72)
@@ -127,7 +128,7 @@ class RecoveryDialog(QDialog):
         kind = QMessageBox.StandardButton
         box.setStandardButtons(kind.Discard | kind.Cancel)
         box.setDefaultButton(kind.Cancel)
-        return kind(box.exec()) == kind.Discard
+        return kind(asked(box)) == kind.Discard
 
     def _current(self) -> Kept | None:
         item = self.documents.currentItem()

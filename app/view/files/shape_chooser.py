@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.model.marks import Side
+from app.view.asking import accepted
 from app.view.painting.theme import theme_of
 from app.view.painting.thumbnail import paint_shape
 from app.view.wording import words
@@ -183,7 +184,4 @@ def chosen_shapes(
 ) -> Mapping[Side, Found] | None:
     """Ask for a shape for each side; None where the user thinks better of it."""
     dialog = ShapeChooser(name, reading, sides, parent, optional=optional)
-    try:
-        return dialog.chosen if dialog.exec() == QDialog.DialogCode.Accepted else None
-    finally:
-        dialog.deleteLater()
+    return dialog.chosen if accepted(dialog) else None

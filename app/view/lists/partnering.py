@@ -13,6 +13,7 @@ from app.model.selection import Selection
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.session import Session
 from app.tools.tool import Commit, Response, Scene
+from app.view.asking import accepted
 from app.view.commands.actions import Actions
 from app.view.painting.theme import theme_of
 from starskel import suggest_pairing
@@ -154,7 +155,7 @@ class Partnering(QObject):
         dialog = QColorDialog(QColor(given or usual), self._window)
         dialog.setOption(QColorDialog.ColorDialogOption.DontUseNativeDialog)
         dialog.setWindowTitle(self.tr("Colour of the part"))
-        if dialog.exec():
+        if accepted(dialog):
             self._paint(dialog.currentColor().name())
 
     @Slot()

@@ -59,6 +59,7 @@ class Panels(QWidget):
             return
         for panel in self._panels.values():
             self._grid.removeWidget(panel)
+            panel.hide()  # it does not follow any more, and must not be painted until it is gone
             panel.deleteLater()
         self._panels = {m: Panel(m, self._session, self._player, self._display) for m in methods}
         self._columns = 0

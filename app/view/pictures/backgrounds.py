@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QMimeData, QObject, Slot
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from app.model.marks import Side
 from app.session import Session
@@ -13,6 +13,7 @@ from app.tools.backdrop import crop_picture, lock_picture, traced, with_picture,
 from app.tools.picture import PictureTool
 from app.tools.refusal import Refusal
 from app.tools.tool import Response
+from app.view.asking import accepted
 from app.view.canvas.canvas import Canvas
 from app.view.files.dialogs import picture_to_open
 from app.view.painting.pictures import image_in, picture_of
@@ -63,11 +64,8 @@ class Backgrounds(QObject):
         if picture is None or not self._session.finish():
             return
         dialog = TraceDialog(picture, side, self._window)
-        accepted = dialog.exec() == QDialog.DialogCode.Accepted
-        found = dialog.found
-        dialog.deleteLater()
-        if accepted and found is not None:
-            self._session.edit(partial(traced, side=side, shape=found.shape))
+        if accepted(dialog) and dialog.found is not None:
+            self._session.edit(partial(traced, side=side, shape=dialog.found.shape))
 
     @Slot()
     def _lock(self) -> None:

@@ -295,3 +295,10 @@ def test_a_cancelled_computation_says_how_to_go_on(arm: Driver) -> None:
     arm.key(Qt.Key.Key_F5)
     arm.wait_for_blends()
     assert all(arm.window.panels.panel(method).view.message == "" for method in USUAL_METHODS)
+
+
+def test_a_panel_whose_method_is_no_longer_compared_is_not_painted_again(arm: Driver) -> None:
+    """It follows no more, so what it would paint belongs to another document."""
+    former = arm.window.panels.panel("vertex")
+    arm.session.store(arm.document.compare(("stitched",)), "Choose methods")
+    assert not former.isVisible()

@@ -42,6 +42,7 @@ def test_what_is_left_over_has_no_partner():
         (A, B, [(0, 0), (1, 1), (1, 2)], "ring 1 of the source, a hole, is in several pairs"),
         (B, A, [(0, 0), (1, 1), (2, 1)], "ring 1 of the target, a hole, is in several pairs"),
         (I, I, [(0, 0), (1, 1), (1, None)], "has partners, and is alone besides"),
+        (B, B, [(0, None), (None, 0), (1, 1), (2, 2)], "what they are holes in is not"),
         ([*I, ellipse(9, 90, 3, 3)], A, [(0, 0), (1, None), (2, 1)], "what they are holes in is not"),
     ],
 )

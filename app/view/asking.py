@@ -1,0 +1,20 @@
+"""Asking by a dialog that is gone afterwards."""
+
+from PySide6.QtWidgets import QDialog
+
+
+def asked(dialog: QDialog) -> int:
+    """Show a dialog until it is answered, and give its answer.
+
+    Its parent would keep a dialog that was answered as long as the window is open. What was chosen in it can
+    be read until the event loop goes on.
+    """
+    try:
+        return dialog.exec()
+    finally:
+        dialog.deleteLater()
+
+
+def accepted(dialog: QDialog) -> bool:
+    """Show a dialog until it is answered, and tell whether what is in it was accepted."""
+    return asked(dialog) == QDialog.DialogCode.Accepted
