@@ -19,7 +19,7 @@ from starskel.images.morph import ImageMorph
 from starskel.images.placed import SOLID, PlacedImage
 from starskel.sheet.keyframe import Shown
 from starskel.sheet.style import USUAL as USUAL_LOOK
-from starskel.sheet.style import Look
+from starskel.sheet.style import Look, PartLook
 from starskel.task import UNWATCHED, Task
 
 Layout = Literal["row", "frame", "pages", "sheet", "animation", "morph", "numbers"]
@@ -111,12 +111,12 @@ class Choice:
             pixels=self.pixels,
         )
 
-    def morph(self, easing: Easing, *, moving: bool) -> morphs.MorphSettings:
-        """Give what is wanted of a morph, which moves or is a row of keyframes."""
+    def morph(self, easing: Easing, hidden: Sequence[int], *, moving: bool) -> morphs.MorphSettings:
+        """Give what is wanted of a morph, which moves or is a row of keyframes, without hidden parts."""
         whole = Settings("animation", duration=self.seconds, returning=self.returning, rate=self.rate)
         times = whole.moments if moving else even_times(self.frames)
         ts = [easing.t(time) for time in times] if self.eased else times
-        return morphs.MorphSettings(ts, self.pixels or USUAL_SIDE, self.rate, self.look.paper)
+        return morphs.MorphSettings(ts, self.pixels or USUAL_SIDE, self.rate, self.look.paper, hidden=hidden)
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,18 +133,27 @@ class Stretch:
         Which step it is; "" where there is but one.
     pictures : (Picture or None, Picture or None)
         What is behind its shapes.
+    looks : tuple of PartLook
+        How its parts look.
     """
 
     results: tuple[Result, ...]
     step: Step = USUAL
     name: str = ""
     pictures: tuple[Picture | None, Picture | None] = (None, None)
+    looks: tuple[PartLook, ...] = ()
 
     def scene(self, method: str) -> Scene:
         """Give the blend by a method, as the library draws it."""
         result = next(each for each in self.results if each.method == method)
         return Scene(
-            result.blend, result.report, self.step.duration, self.step.easing, self.name, self._placed
+            result.blend,
+            result.report,
+            self.step.duration,
+            self.step.easing,
+            self.name,
+            self._placed,
+            self.looks,
         )
 
     def _placed(self) -> tuple[PlacedImage | None, PlacedImage | None]:
@@ -196,5 +205,5 @@ def _write_morph(path: Path, choice: Choice, stretch: Stretch, task: Task) -> tu
     morph = ImageMorph(
         scene.blend, source, target, solid=SOLID, progress=part.reach, should_stop=task.should_stop
     )
-    wanted = choice.morph(scene.easing, moving=path.suffix.lower() != morphs.PNG)
+    wanted = choice.morph(scene.easing, scene.hidden, moving=path.suffix.lower() != morphs.PNG)
     return morphs.write_morph(path, morph, wanted, task.part(0.1, 1))

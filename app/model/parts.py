@@ -11,8 +11,10 @@ from app.model.pairing import Ends
 from app.model.point import Point
 from starskel import suggest_pairing
 from starskel.files.key_shape import Part
+from starskel.files.part_looks import part_looks
 from starskel.files.step import Link
 from starskel.polygon import Polygon
+from starskel.sheet.style import PartLook
 
 
 def style(document: Document, link: int, **changes: Any) -> Document:
@@ -123,12 +125,16 @@ def stacked(document: Document, side: Side) -> list[int]:
     return list(dict.fromkeys(part for part in found if part is not None))
 
 
+def looks(document: Document) -> tuple[PartLook, ...]:
+    """Give for each link how its parts look; they are shown while one of both is to be seen."""
+    return part_looks(document.shape("source"), document.way, document.shape("target"))
+
+
 def colours(document: Document, link: int) -> tuple[str, str]:
     """Give the colours of a link at the start and at the end, empty where they are the usual ones."""
-    found = members(document, link)
-    return found[0].colour, found[-1].colour
+    return looks(document)[link].colours
 
 
 def shown(document: Document, link: int) -> bool:
     """Tell whether one of the parts of a link is visible."""
-    return any(part.visible for part in members(document, link))
+    return looks(document)[link].visible

@@ -811,6 +811,14 @@
         <source>ring {number}</source>
         <translation>Ring {number}</translation>
     </message>
+    <message>
+        <source>all parts are hidden</source>
+        <translation>alle Teile sind ausgeblendet</translation>
+    </message>
+    <message>
+        <source>show at least one of them</source>
+        <translation>mindestens eines von ihnen einblenden</translation>
+    </message>
 </context>
 <context>
     <name>AboutDialog</name>

@@ -51,7 +51,7 @@ def _tracks(
 
 
 def _scene(file: Opened, pair_id: str, scene: Scene) -> Scene:
-    scene = replace(scene, pictures=partial(file.pictures, pair_id))
+    scene = replace(scene, pictures=partial(file.pictures, pair_id), looks=file.looks(pair_id))
     if not file.steps:
         return scene
     number = file.ids.index(pair_id)

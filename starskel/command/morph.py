@@ -44,6 +44,7 @@ def _morph(arguments: Namespace, file: Opened, pair_id: str, path: Path) -> tupl
         arguments.rate,
         arguments.paper,
         numbered=arguments.layout == "frames",
+        hidden=[number for number, look in enumerate(file.looks(pair_id)) if not look.visible],
     )
     with Progress(f"{pair_id}: frames") as bar:
         return write_morph(path, morph, wanted, Task(bar))

@@ -12,16 +12,22 @@ from starskel.files.image_pairs import ImagePair, picture_of, read_image_pairs
 from starskel.files.multi_pairs import read_multi_pairs
 from starskel.files.pair_file import PairFile
 from starskel.files.pairs import read_pairs
+from starskel.files.part_looks import part_looks
 from starskel.files.project import AnyPair, letter
 from starskel.files.project_file import read_project
 from starskel.files.step import Step
 from starskel.images.placed import PlacedImage
+from starskel.sheet.style import PartLook
 
 Pictures = tuple[PlacedImage | None, PlacedImage | None]
 
 
 def _no_pictures(_: str) -> Pictures:
     return None, None
+
+
+def _usual_looks(_: str) -> tuple[PartLook, ...]:
+    return ()
 
 
 @dataclass(frozen=True)
@@ -36,6 +42,8 @@ class Opened:
         Gives the pair of a name, or raises InvalidFile.
     pictures : callable
         Gives the pictures of the source and the target of a name, each where there is one.
+    looks : callable
+        Gives the own colours of the parts of a name, and which are hidden; nothing where all look as usual.
     name : str
         What all of them together are called, where they are the steps of one project; else "".
     steps : tuple of Step
@@ -47,6 +55,7 @@ class Opened:
     ids: tuple[str, ...]
     pair: Callable[[str], AnyPair]
     pictures: Callable[[str], Pictures] = _no_pictures
+    looks: Callable[[str], tuple[PartLook, ...]] = _usual_looks
     name: str = ""
     steps: tuple[Step, ...] = ()
     first: int = 0
@@ -134,8 +143,12 @@ def _steps(path: Path, step: int | None) -> Opened:
         source, target = (picture_of(path, document, step + k) for k in (0, 1))
         return source, target
 
+    def looks(name: str) -> tuple[PartLook, ...]:
+        step = names.index(name)
+        return part_looks(document.shapes[step], document.steps[step], document.shapes[step + 1])
+
     if not any(one.parts and two.parts for one, two in pairwise(document.shapes)):
         pair(names[0])  # raises: nothing in the file can be blended
     own = slice(None) if step is None else slice(step - 1, step)
     first = 0 if step is None else step - 1
-    return Opened(tuple(names[own]), pair, pictures, document.name, document.steps[own], first)
+    return Opened(tuple(names[own]), pair, pictures, looks, document.name, document.steps[own], first)

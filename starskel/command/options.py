@@ -244,7 +244,7 @@ def _add_look(group: argparse._ArgumentGroup) -> None:
         type=values.colour,
         nargs="+",
         metavar="COLOUR",
-        help='from t = 0 to 1, mixed in between; or "none"',
+        help='from t = 0 to 1, mixed in between, of parts without colours of their own; or "none"',
     )
     group.add_argument(
         "--stroke", type=values.colour, default="#20262e", metavar="COLOUR", help='outlines; or "none"'

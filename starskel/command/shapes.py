@@ -39,11 +39,6 @@ def ways_of(
     shapes = [pair for pair in pairs if isinstance(pair, MultiPair)]
     if arguments.separate and not shapes:
         raise InvalidFile(f"{arguments.file} holds no shapes of several polygons", "leave out --separate")
-    if shapes and (arguments.marks or arguments.pieces):
-        raise InvalidFile(
-            f"{arguments.file} holds shapes of several polygons, on which marks and pieces are not drawn",
-            "leave out --marks and --pieces",
-        )
     ways = [Way(method, method, not arguments.separate) for method in methods]
     return [*ways, *comparison(pairs[0], methods)] if measured and len(pairs) == 1 else ways
 

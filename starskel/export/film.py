@@ -23,7 +23,7 @@ from starskel.sheet.drawing import Drawing
 from starskel.sheet.keyframe import ALONE, Shown, keyframes
 from starskel.sheet.rows import Frame, Stage, box_of, row_sheet
 from starskel.sheet.shape_keyframe import shape_keyframes
-from starskel.sheet.style import Look
+from starskel.sheet.style import Look, PartLook
 
 _LOOKS = 101
 """So many frames of each scene are looked at to see how much room a film needs."""
@@ -54,6 +54,8 @@ class Scene:
         Which of several steps it is; "" where there is but one.
     pictures : callable
         Gives the pictures of source and target, each where there is one; asked when they are to be seen.
+    looks : tuple of PartLook
+        For each ring of a frame its colours, and whether it is to be seen; none where all look as usual.
 
     Examples
     --------
@@ -70,17 +72,24 @@ class Scene:
     easing: Easing = EVEN
     name: str = ""
     pictures: Pictures = no_pictures
+    looks: tuple[PartLook, ...] = ()
 
     def frames(self, ts: Sequence[float], shown: Shown, *, moving: bool = False) -> tuple[Frame, ...]:
         """Give the frames at each t; those that move are drawn alike at all times."""
         frames: tuple[Frame, ...] = (
-            shape_keyframes(self.blend, ts, shown, moving=moving)
+            shape_keyframes(self.blend, ts, shown, self.looks, moving=moving)
             if isinstance(self.blend, ShapeBlend)
-            else keyframes(self.blend, ts, shown)
+            else keyframes(self.blend, ts, shown, *self.looks)
         )
         if not shown.pictures or self.morph is None:
             return frames
-        return tuple(replace(frame, picture=partial(_painted, self.morph, frame.t)) for frame in frames)
+        paint = partial(_painted, self.morph, self.hidden)
+        return tuple(replace(frame, picture=partial(paint, frame.t)) for frame in frames)
+
+    @property
+    def hidden(self) -> tuple[int, ...]:
+        """The rings of a frame that are not to be seen, by their numbers."""
+        return tuple(number for number, look in enumerate(self.looks) if not look.visible)
 
     @cached_property
     def morph(self) -> ImageMorph | None:
@@ -307,6 +316,8 @@ class Shot:
         return scene.frames(ts, replace(wanted.shown, pictures=False), moving=True)
 
 
-def _painted(morph: ImageMorph, t: float, box: Floats, size: tuple[int, int]) -> Pixels:
+def _painted(
+    morph: ImageMorph, hidden: tuple[int, ...], t: float, box: Floats, size: tuple[int, int]
+) -> Pixels:
     (left, bottom), (right, top) = box.tolist()
-    return morph.at(t, size, (left, bottom, right, top))
+    return morph.at(t, size, (left, bottom, right, top), hidden=hidden)

@@ -1,6 +1,6 @@
 """Image morphs out: the pictures alone, edge to edge, for the editor, the command and scripts."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -38,6 +38,8 @@ class MorphSettings:
         What is behind, "#rrggbb"; None leaves it transparent, in video white.
     numbered : bool
         Whether of PNG each frame is a file by itself; else all are in a row.
+    hidden : collection of int
+        Parts of a shape that are not painted, by the numbers of their outlines among a frame's rings.
 
     Raises
     ------
@@ -50,6 +52,7 @@ class MorphSettings:
     rate: float = 25.0
     paper: Colour | None = None
     numbered: bool = False
+    hidden: Collection[int] = ()
 
     def __post_init__(self) -> None:
         bounds.PIXELS.check(self.size)
@@ -113,7 +116,7 @@ def _frames(morph: ImageMorph, wanted: MorphSettings, task: Task) -> Iterator[Pi
     view = morph.view
     for number, t in enumerate(wanted.times):
         task.reach(number / len(wanted.times))
-        frame = morph.at(t, wanted.size, view)
+        frame = morph.at(t, wanted.size, view, hidden=wanted.hidden)
         yield frame if wanted.paper is None else _on(frame, wanted.paper)
     task.reach(1)
 

@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from starskel.correspondence import Correspondence
+from starskel.correspondence.marks import Mark
 from starskel.predicates import Floats
 from starskel.shapes.pairing import Link
 from starskel.shapes.shape import Shape
@@ -63,6 +64,8 @@ class ShapeCorrespondence:
         that stands in several pairs is cut into as many; one beside None is a point in the other shape.
     parts : tuple of PartPair
         The parts, each with its holes.
+    marks : tuple of tuples of (int, int)
+        For each ring of the source its marks, as given.
 
     Examples
     --------
@@ -79,6 +82,7 @@ class ShapeCorrespondence:
     target: Shape
     pairing: tuple[Link, ...]
     parts: tuple[PartPair, ...]
+    marks: tuple[tuple[Mark, ...], ...] = ()
 
     @cached_property
     def ring_pairs(self) -> tuple[Correspondence, ...]:

@@ -38,7 +38,8 @@ def matched_shapes(given: Given, task: Task) -> ShapeCorrespondence:
     for link in given.outlines:
         if link not in parts:
             parts[link] = _alone(given, link, paired)
-    return ShapeCorrespondence(*given.shapes, given.links, tuple(parts[link] for link in given.outlines))
+    own = tuple(parts[link] for link in given.outlines)
+    return ShapeCorrespondence(*given.shapes, given.links, own, given.marks)
 
 
 def _with_holes(

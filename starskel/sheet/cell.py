@@ -52,8 +52,8 @@ def cell(frame: Keyframe | ShapeKeyframe, on_paper: Placement, look: Look = USUA
         yield from _crossings(on_paper(frame.crossings))
     for x, y in on_paper(frame.vertices).tolist():
         yield Disc((x, y), style.VERTEX_SIZE, style.PAPER, style.VERTEX_OUTLINE)
-    if isinstance(frame, Keyframe):
-        yield from _pins(on_paper(frame.ring), frame.marks)
+    pins = frame.ring[list(frame.marks)] if isinstance(frame, Keyframe) else frame.pins
+    yield from _pins(on_paper(pins))
 
 
 def cross_sign(place: Place, radius: float) -> Iterator[Item]:
@@ -85,21 +85,30 @@ def _ring(frame: Keyframe, on_paper: Placement, look: Look) -> Iterator[Item]:
     if frame.pieces or frame.picture is not None:
         yield Area(ring, stroke=outline)
     else:
-        yield Area(ring, look.fill(frame.t), outline)
+        yield Area(ring, frame.own.fill(look, frame.t), outline)
     if frame.skeleton is not None:
         yield from _skeleton(frame.skeleton, on_paper)
 
 
 def _parts(frame: ShapeKeyframe, on_paper: Placement, look: Look) -> Iterator[Item]:
-    """Draw each part as one path with its holes, then the meta-skeleton: roots joined by links."""
-    for ring, *holes in frame.parts:
-        rings = tuple(on_paper(hole) for hole in holes)
-        fill = look.fill(frame.t) if frame.picture is None else None
-        yield Area(on_paper(ring), fill, _outline(frame, look), rings)
+    """Draw each part as one path with its holes, or by its star pieces, then all skeletons.
+
+    Under the skeletons lies the meta-skeleton: roots joined by links.
+    """
+    filled, count = frame.picture is None, 0
+    for part in frame.parts:
+        ring, *holes = (on_paper(own) for own in part.rings)
+        yield from _pieces([on_paper(piece) for piece in part.pieces], filled=filled, first=count)
+        count += len(part.pieces)
+        fill = part.own.fill(look, frame.t) if filled and not part.pieces else None
+        yield Area(ring, fill, _outline(frame, look), tuple(holes))
     for link in frame.tree:
         yield Line(on_paper(link), style.SKELETON_LINE)
     for x, y in on_paper(frame.tree.reshape(-1, 2)).tolist():
         yield Disc((x, y), 1.5, style.SKELETON)
+    for part in frame.parts:
+        if part.skeleton is not None:
+            yield from _skeleton(part.skeleton, on_paper)
 
 
 def _outline(frame: Keyframe | ShapeKeyframe, look: Look) -> Stroke | None:
@@ -112,8 +121,9 @@ def _picture(paint: Painter, on_paper: Placement, box: Floats) -> Image:
     return Image(on_paper(box), lambda seen, size: paint(on_paper.back(seen), size))
 
 
-def _pieces(rings: list[Floats], *, filled: bool) -> Iterator[Item]:
-    for number, ring in enumerate(rings):
+def _pieces(rings: list[Floats], *, filled: bool, first: int = 0) -> Iterator[Item]:
+    """Draw star pieces, each in the next of the colours, counted from `first`."""
+    for number, ring in enumerate(rings, first):
         fill = style.PIECES[number % len(style.PIECES)] if filled else None
         yield Area(ring, fill, style.PIECE_OUTLINE)
 
@@ -138,9 +148,8 @@ def _crossings(places: Floats) -> Iterator[Item]:
             yield Disc((x, y), radius, stroke=style.CROSSING_OUTLINE)
 
 
-def _pins(ring: Floats, marks: tuple[int, ...]) -> Iterator[Item]:
-    for number, row in enumerate(marks, 1):
-        x, y = ring[row].tolist()
+def _pins(places: Floats) -> Iterator[Item]:
+    for number, (x, y) in enumerate(places.tolist(), 1):
         yield Disc((x, y), 0.75 * style.PIN_SIZE, style.INK)
         yield Label(
             str(number), (x, y - 0.35 * style.PIN_SIZE), style.PIN_SIZE, style.PAPER, "middle", bold=True

@@ -10,9 +10,12 @@ from numpy.typing import NDArray
 from starskel.blending.frames import Blend
 from starskel.blending.pieces import PieceBlend
 from starskel.correspondence import Correspondence
+from starskel.errors import StarskelError, told
 from starskel.polygon import crossing_edges, meeting_places
 from starskel.predicates import Floats
 from starskel.sheet.drawing import Painter
+from starskel.sheet.style import USUAL_PART, PartLook
+from starskel.skeleton import Skeleton
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,6 +35,12 @@ class PlacedSkeleton:
     origins: Floats
     mid_points: Floats
     arcs: Floats
+
+    @classmethod
+    def of(cls, skeleton: Skeleton, points: Floats) -> "PlacedSkeleton":
+        """Give a skeleton whose points, the star origins and then the mid-points, lie there."""
+        count = len(skeleton.parents)
+        return cls(points[:count], points[count:], points[skeleton.arcs])
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,6 +63,8 @@ class Keyframe:
         Whether the vertices are shown.
     picture : Painter or None
         What paints the picture in it, in the user's units; it takes the place of fill and outline.
+    own : PartLook
+        Its own colours.
     """
 
     t: float
@@ -63,6 +74,7 @@ class Keyframe:
     skeleton: PlacedSkeleton | None = None
     dotted: bool = False
     picture: Painter | None = None
+    own: PartLook = USUAL_PART
 
     @property
     def vertices(self) -> Floats:
@@ -104,7 +116,9 @@ ALONE = Shown(pictures=False)
 """Nothing besides."""
 
 
-def keyframes(blend: Blend, times: Sequence[float], shown: Shown = ALONE) -> tuple[Keyframe, ...]:
+def keyframes(
+    blend: Blend, times: Sequence[float], shown: Shown = ALONE, own: PartLook = USUAL_PART
+) -> tuple[Keyframe, ...]:
     """Give the keyframes of a blend.
 
     Parameters
@@ -114,15 +128,19 @@ def keyframes(blend: Blend, times: Sequence[float], shown: Shown = ALONE) -> tup
         Numbers from 0 to 1.
     shown : Shown
         Star pieces and skeleton appear where the method has them.
+    own : PartLook
+        The colours of the polygon.
 
     Raises
     ------
     StarskelError
-        Where a time is not a number from 0 to 1.
+        Where a time is not a number from 0 to 1, or the polygon is hidden.
     """
+    if not own.visible:
+        raise hidden()
     rows = marked_rows(blend.pair) if shown.marks else ()
     return tuple(
-        Keyframe(t, ring, rows, _pieces(blend, t, shown), _skeleton(blend, t, shown), shown.vertices)
+        Keyframe(t, ring, rows, _pieces(blend, t, shown), _skeleton(blend, t, shown), shown.vertices, own=own)
         for t, ring in zip(times, blend.frames(times), strict=True)
     )
 
@@ -143,6 +161,9 @@ def _pieces(blend: Blend, t: float, shown: Shown) -> tuple[Floats, ...]:
 def _skeleton(blend: Blend, t: float, shown: Shown) -> PlacedSkeleton | None:
     if not (shown.skeleton and isinstance(blend, PieceBlend)):
         return None
-    points = blend.skeleton_at(t)
-    count = len(blend.decomposition.pieces)
-    return PlacedSkeleton(points[:count], points[count:], points[blend.skeleton.arcs])
+    return PlacedSkeleton.of(blend.skeleton, blend.skeleton_at(t))
+
+
+def hidden() -> StarskelError:
+    """Give the error of frames in which nothing is to be seen."""
+    return StarskelError(told("all parts are hidden"), told("show at least one of them"))

@@ -71,8 +71,34 @@ class Look:
         return _mix(self.colours[number], self.colours[number + 1], way - number)
 
 
+@dataclass(frozen=True)
+class PartLook:
+    """How a part of a shape is drawn on its way.
+
+    Attributes
+    ----------
+    colours : (str, str)
+        Its own, "#rrggbb", at the start and at the end; empty for those that the whole has there.
+    visible : bool
+        Whether it is shown.
+    """
+
+    colours: tuple[Colour, Colour] = ("", "")
+    visible: bool = True
+
+    def fill(self, look: Look, t: float) -> Colour | None:
+        """Give the colour of the part at time t, where the whole looks like this."""
+        usual = look.fill(0.0), look.fill(1.0)
+        if self.colours == ("", "") or None in usual:
+            return look.fill(t)
+        start, end = (own or given for own, given in zip(self.colours, usual, strict=True))
+        return None if start is None or end is None else _mix(start, end, t)
+
+
 USUAL = Look()
 """How frames look where nothing else is asked for."""
+
+USUAL_PART = PartLook()
 
 
 def _mix(source: Colour, target: Colour, t: float) -> Colour:

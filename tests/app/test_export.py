@@ -8,16 +8,17 @@ import pytest
 from app.compute import Result
 from app.export import FORMATS, Choice, Layout, Stretch, write_choice
 from app.model.easing import Easing
-from starskel import Cancelled, InvalidFile, Polygon, blend, match, measure
+from starskel import Cancelled, InvalidFile, Polygon, StarskelError, blend, match, measure
 from starskel.cli import main
 from starskel.export.write import paths_of
 from starskel.files.examples import example, resource_folder
-from starskel.files.key_shape import KeyShape
+from starskel.files.key_shape import KeyShape, Part
+from starskel.files.part_looks import part_looks
 from starskel.files.picture import Picture
 from starskel.files.project import Project
 from starskel.files.project_file import write_project
-from starskel.files.raster import png_of
-from starskel.files.step import Step
+from starskel.files.raster import png_of, read_image
+from starskel.files.step import Link, Step
 from starskel.sheet.drawing import Stroke
 from starskel.sheet.keyframe import Shown
 from starskel.sheet.style import USUAL, Look
@@ -80,6 +81,72 @@ def test_films_with_pictures_are_what_the_command_writes_to_the_byte(pictures: b
     out = tmp_path / "command.webp"
     assert main(["render", str(tmp_path / "p.json"), *words, "-o", str(out)]) == 0
     assert out.read_bytes() == (tmp_path / "editor.webp").read_bytes()
+
+
+PARTS = (
+    Part(Polygon([(0, 0), (8, 0), (8, 8), (0, 8)]), colour="#ff0000"),
+    Part(Polygon([(2, 2), (6, 2), (6, 6), (2, 6)])),
+    Part(Polygon([(10, 0), (14, 0), (14, 4), (10, 4)])),
+    Part(Polygon([(20, 0), (28, 0), (28, 8), (20, 8)]), colour="#00ffff", visible=False),
+)
+MOVED = tuple(replace(part, ring=Polygon(np.add(part.ring.vertices, (1, 2)))) for part in PARTS)
+
+
+def parted(folder: Path) -> Stretch:
+    """Save a project of parts: one red that becomes green, with a hole, one usual, one hidden."""
+    source, target = KeyShape(PARTS), KeyShape((replace(MOVED[0], colour="#00FF00"), *MOVED[1:]))
+    step = Step(tuple(Link(k, k) for k in range(4)))
+    write_project(folder / "p.json", Project("p", (source, target), (step,)))
+    made = blend(match(source.shape, target.shape, pairing=[link.ends for link in step.links]))
+    result = Result("stitched", made, measure(made), np.zeros((2, 2)))
+    return Stretch((result,), step, looks=part_looks(source, step, target))
+
+
+@pytest.mark.parametrize("ending", [".svg", ".eps", ".ps", ".pdf", ".png"])
+def test_colours_and_hidden_parts_hold_in_every_format_as_the_command_writes_it(
+    ending: str, tmp_path: Path
+) -> None:
+    choice = Choice("frame", "stitched", t=0.25, shown=Shown(), look=replace(USUAL, captions=False))
+    write_choice(tmp_path / f"editor{ending}", "p", choice, [parted(tmp_path)])
+    out = tmp_path / f"command{ending}"
+    words = ["--at", "0.25", "--layout", "frames", "--plain", "-o", str(out)]
+    assert main(["render", str(tmp_path / "p.json"), *words]) == 0
+    assert out.read_bytes() == (tmp_path / f"editor{ending}").read_bytes()
+    if ending == ".svg":
+        fills = re.findall(r'fill="(#\w+)"', out.read_text())
+        assert fills == ["#bf4000", USUAL.fill(0.25)]
+        assert "evenodd" in out.read_text()
+    if ending == ".png":
+        pixels = read_image(out)
+        colours = {tuple(colour) for colour in pixels[pixels[..., 3] == 255][:, :3].tolist()}
+        assert (0xBF, 0x40, 0) in colours
+        assert not any(blue > green > red + 100 for red, green, blue in colours)
+        width, height = pixels.shape[1], pixels.shape[0]
+        assert width / height == pytest.approx((14 * 360 / 14 + 36) / (8 * 360 / 14 + 36), rel=0.05)
+
+
+def test_colours_of_parts_move_and_hidden_ones_stay_away(tmp_path: Path) -> None:
+    stretch = parted(tmp_path)
+    write_choice(tmp_path / "a.svg", "p", Choice("animation", "stitched"), [stretch])
+    text = (tmp_path / "a.svg").read_text()
+    assert re.search(r'attributeName="fill"[^>]*values="#ff0000;[^"]*#00ff00"', text)
+    assert text.count("<path") == 2
+    fills = replace(stretch, looks=tuple(replace(look, visible=False) for look in stretch.looks))
+    with pytest.raises(StarskelError, match="all parts are hidden"):
+        write_choice(tmp_path / "b.svg", "p", Choice("row", "stitched"), [fills])
+    bare = Choice("row", "stitched", look=replace(USUAL, colours=()))
+    write_choice(tmp_path / "c.svg", "p", bare, [stretch])
+    assert set(re.findall(r'fill="([^"]+)"', (tmp_path / "c.svg").read_text())) == {"none", "#6b7480"}
+
+
+def test_hidden_parts_are_not_painted_by_what_shows_pictures_alone(tmp_path: Path) -> None:
+    stretch = replace(
+        parted(tmp_path), pictures=(Picture(png_of(waves(40, 30)), (14.0, 4.0), (28.0, 8.0)), None)
+    )
+    write_choice(tmp_path / "m.png", "p", Choice("morph", "stitched", frames=2, pixels=140), [stretch])
+    first = read_image(tmp_path / "m.png")[:, :140]
+    assert first[..., 3].max() == 255
+    assert first[:, 100:, 3].max() == 0
 
 
 def test_what_is_given_up_leaves_no_file(tmp_path: Path) -> None:

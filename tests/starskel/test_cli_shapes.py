@@ -11,6 +11,7 @@ import starskel
 from starskel.cli import main
 from starskel.files.examples import resource_folder
 from starskel.files.multi_pairs import read_multi_pairs
+from starskel.shapes.structure import structures_at
 from tests.starskel.export.rendering import needs_ghostscript, rendered_postscript
 from tests.starskel.files.test_multi_pairs import MULTI
 
@@ -79,13 +80,31 @@ def test_a_sheet_compares_the_methods_and_parts_moved_separately(tmp_path):
     ("words", "message"),
     [
         ([], "holds 4 pairs; choose one: --id m-i-j"),
-        ([*FACE, "--marks"], "leave out --marks"),
         ([*FACE, "--step", "1"], "has no steps"),
     ],
 )
 def test_what_does_not_go_is_said(capsys, words, message):
     assert main(["render", str(MULTI), *words, "-o", "out.svg"]) == 2
     assert message in capsys.readouterr().err
+
+
+def test_star_pieces_skeletons_and_marks_of_all_parts_are_drawn(tmp_path):
+    pair = read_multi_pairs(MULTI).pair("m-smile-frown")
+    made = starskel.blend(pair.source, pair.target, pair.marks, "star-skeleton", pairing=pair.pairing)
+    structures = list(structures_at(made, 0.5))
+    pieces = [structure.blend.decomposition.pieces for structure in structures]
+    words = [str(MULTI), *FACE, "--at", "0.5", "--method", "star-skeleton", "--no-signs", "--plain"]
+    assert main(["render", *words, "--pieces", "--skeleton", "--marks", "-o", "all.svg"]) == 0
+    assert main(["render", *words, "-o", "bare.svg"]) == 0
+    drawn, bare = (ET.parse(tmp_path / name) for name in ("all.svg", "bare.svg"))
+    paths = [path.get("d").count("L") for path in drawn.iter(PATH)]
+    sides = [len(piece) - 1 for part in pieces for piece in part]
+    arcs = sum(2 * (len(part) - 1) for part in pieces) + len(made.meta_skeleton.tree.order) - 1
+    for side in sides:
+        paths.remove(side)
+    outlines = [path.get("d").count("L") for path in bare.iter(PATH)]
+    assert sorted(paths) == sorted(outlines + [1] * arcs)
+    assert [text.text for text in drawn.iter(TEXT)] == [str(k + 1) for k in range(sum(map(len, pair.marks)))]
 
 
 def test_shapes_are_measured_ring_by_ring_and_parts_beside_each_other(capsys):

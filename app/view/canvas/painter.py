@@ -3,6 +3,7 @@
 import numpy as np
 from PySide6.QtGui import QColor, QPainter
 
+from app.model import parts
 from app.view.canvas.backdrop import paint_backdrop
 from app.view.canvas.gesture import GesturePainter
 from app.view.canvas.markings import paint_growth, paint_marks, paint_trace
@@ -13,7 +14,6 @@ from app.view.canvas.stage import Stage
 from app.view.painting.display import Layers
 from app.view.painting.drawing import faded, lines_of, pen, point_of
 from app.view.painting.frame_layers import paint_numbers
-from app.view.painting.parts import looks_of
 from app.view.painting.structure import StructurePainter
 from app.view.wording import words
 from app.view.wording.counts import COUNTS
@@ -84,7 +84,7 @@ def _paint_structure(stage: Stage, layers: Layers) -> None:
     """Show how the shape is cut, where that is known of the shape as it is now."""
     if stage.overlay.ring is None and not stage.replaced:
         structure = StructurePainter(stage.painter, stage.theme, stage.camera, layers)
-        shown = [look.visible for look in looks_of(stage.document)]
+        shown = [look.visible for look in parts.looks(stage.document)]
         structure.paint_cut(stage.session.fresh_results, stage.side, shown)
 
 

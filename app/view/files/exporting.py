@@ -15,6 +15,7 @@ from app.view.painting.display import Display
 from app.view.timeline.player import Player
 from starskel.errors import StarskelError
 from starskel.export.write import paths_of
+from starskel.files.part_looks import part_looks
 from starskel.files.project import letter
 
 translate = QCoreApplication.translate
@@ -72,6 +73,7 @@ def stretches(session: Session) -> tuple[Stretch, ...]:
             step,
             f"{letter(number)}-{letter(number + 1)}" if len(steps) > 1 else "",
             (shapes[number].picture, shapes[number + 1].picture),
+            part_looks(shapes[number], step, shapes[number + 1]) if all(shapes[number : number + 2]) else (),
         )
         for number, step in enumerate(steps)
     )

@@ -1,47 +1,22 @@
 """Shapes of several parts, painted: each part in its colour, with the holes in it."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath
 
-from app.model import parts
-from app.model.document import Document
 from app.view.painting.drawing import polygon_of
 from app.view.painting.theme import Theme, mixed
 from starskel.predicates import Floats
+from starskel.sheet.style import PartLook
 
 
-@dataclass(frozen=True)
-class Look:
-    """How a part looks on its way.
-
-    Attributes
-    ----------
-    colours : (str, str)
-        At the start and at the end; empty for the usual ones.
-    visible : bool
-        Whether it is shown.
-    """
-
-    colours: tuple[str, str] = ("", "")
-    visible: bool = True
-
-    def colour(self, theme: Theme, t: float) -> QColor:
-        """Give the colour at t."""
-        if self.colours == ("", ""):
-            return theme.between(t)
-        start, end = (given or usual for given, usual in zip(self.colours, theme.ends, strict=True))
-        return mixed(QColor(start), QColor(end), t)
-
-
-def looks_of(document: Document) -> tuple[Look, ...]:
-    """Give how the part of each link looks; it is shown while one of both is to be seen."""
-    return tuple(
-        Look(parts.colours(document, number), parts.shown(document, number))
-        for number in range(len(document.way.links))
-    )
+def colour_of(look: PartLook, theme: Theme, t: float) -> QColor:
+    """Give the colour of a part at t: its own, else the usual one."""
+    if look.colours == ("", ""):
+        return theme.between(t)
+    start, end = (own or usual for own, usual in zip(look.colours, theme.ends, strict=True))
+    return mixed(QColor(start), QColor(end), t)
 
 
 def regions(outer: Sequence[int], shown: Sequence[bool]) -> Iterator[tuple[int, tuple[int, ...]]]:

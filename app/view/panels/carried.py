@@ -6,9 +6,9 @@ from PySide6.QtGui import QImage, QPainter
 
 from app.compute.morphs import Carried, Shown, Wish, finer
 from app.compute.request import Result
+from app.model import parts
 from app.session import Session
 from app.view.painting.camera import Camera
-from app.view.painting.parts import looks_of
 from app.view.timeline.player import Player
 from starskel.blending.pieces import PieceBlend
 from starskel.decomposition.pieces import Decomposition
@@ -45,7 +45,7 @@ class CarriedPictures(QObject):
         left, top = camera.to_document(0, 0)
         right, bottom = camera.to_document(camera.width, camera.height)
         pixels = round(size.width() * ratio), round(size.height() * ratio)
-        looks = enumerate(looks_of(self._session.document))
+        looks = enumerate(parts.looks(self._session.document))
         hidden = tuple(number for number, look in looks if not look.visible)
         wish = Wish(result.method, carried, self._player.t, pixels, (left, bottom, right, top), hidden)
         self._session.morphs.wish(wish)

@@ -10,7 +10,7 @@ from app.view.painting.camera import Camera
 from app.view.painting.display import Layers
 from app.view.painting.drawing import faded, pen, point_of, polygon_of
 from app.view.painting.frame_layers import paint_numbers, paint_way
-from app.view.painting.parts import Look, paint_region, regions
+from app.view.painting.parts import colour_of, paint_region, regions
 from app.view.painting.pins import cross_at
 from app.view.painting.structure import StructurePainter, shown_structures
 from app.view.painting.theme import Theme
@@ -18,6 +18,7 @@ from app.view.wording import verdicts
 from starskel import Correspondence
 from starskel.predicates import Floats
 from starskel.sheet.keyframe import Keyframe
+from starskel.sheet.style import USUAL_PART, PartLook
 
 STALE = 0.55
 """Opacity of a frame whose shapes have changed since."""
@@ -33,7 +34,7 @@ class FramePainter:
         self._layers = layers
 
     def paint(
-        self, result: Result, t: float, looks: Sequence[Look], *, stale: bool, pictured: bool = False
+        self, result: Result, t: float, looks: Sequence[PartLook], *, stale: bool, pictured: bool = False
     ) -> None:
         """Paint fill or star pieces, outline, skeleton, and the places where the frame crosses itself.
 
@@ -43,7 +44,7 @@ class FramePainter:
         self._painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._painter.setOpacity(STALE if stale else 1.0)
         rings = result.rings_at(t)
-        looks = [*looks, *[Look()] * (len(rings) - len(looks))]  # a blend out of date may have more parts
+        looks = [*looks, *[USUAL_PART] * (len(rings) - len(looks))]  # a blend out of date may have more parts
         shown = [look.visible for look in looks[: len(rings)]]
         cut = StructurePainter(self._painter, self._theme, self._camera, self._layers)
         wanted = self._layers.pieces or self._layers.skeleton
@@ -54,7 +55,7 @@ class FramePainter:
         cut.paint_pieces(structures)
         for number, ring in enumerate(rings):
             if shown[number] and (number in crossing or not pictured):
-                usual = looks[number].colour(self._theme, t)
+                usual = colour_of(looks[number], self._theme, t)
                 self._outline(ring, QColor(self._theme.refused) if number in crossing else usual)
         cut.paint_skeletons(result, structures, t)
         for number, ring in enumerate(rings):
@@ -64,12 +65,12 @@ class FramePainter:
                 self._paint_crossings(Keyframe(t, ring))
         self._painter.setOpacity(1.0)
 
-    def paint_ground(self, result: Result, t: float, looks: Sequence[Look]) -> None:
+    def paint_ground(self, result: Result, t: float, looks: Sequence[PartLook]) -> None:
         """Paint the outlines that lie under pictures inside: they are seen where a picture does not reach."""
         self._painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for ring, look in zip(result.rings_at(t), looks, strict=False):  # looks may be those of newer parts
             if look.visible:
-                self._outline(ring, look.colour(self._theme, t))
+                self._outline(ring, colour_of(look, self._theme, t))
 
     def paint_trace(self, result: Result, t: float, link: int, row: int) -> None:
         """Paint one vertex of a link and its way through time."""
@@ -85,11 +86,11 @@ class FramePainter:
         paint_numbers(self._painter, self._theme, self._camera.to_screen(frame), numbers)
 
     def _fill(
-        self, result: Result, rings: list[Floats], t: float, looks: Sequence[Look], shown: Sequence[bool]
+        self, result: Result, rings: list[Floats], t: float, looks: Sequence[PartLook], shown: Sequence[bool]
     ) -> None:
         self._painter.setPen(Qt.PenStyle.NoPen)
         for outline, holes in regions(result.outer, shown):
-            self._painter.setBrush(faded(looks[outline].colour(self._theme, t), 0.35))
+            self._painter.setBrush(faded(colour_of(looks[outline], self._theme, t), 0.35))
             around, *inside = (self._camera.to_screen(rings[k]) for k in (outline, *holes))
             paint_region(self._painter, around, inside)
 

@@ -23,7 +23,6 @@ from app.view.painting.camera import Camera
 from app.view.painting.display import Display
 from app.view.painting.drawing import layer_for, painting
 from app.view.painting.frame_layers import paint_ghosts, paint_ways
-from app.view.painting.parts import looks_of
 from app.view.painting.structure import shown_structures
 from app.view.painting.theme import theme_of
 from app.view.panels.carried import CarriedPictures
@@ -142,7 +141,7 @@ class FrameView(QWidget):
         result = self._state.fresh
         if result is None or result.method != STEERED or not self._display.layers.skeleton:
             return None
-        shown = [look.visible for look in looks_of(self._session.document)]
+        shown = [look.visible for look in parts.looks(self._session.document)]
         near: list[tuple[float, int, Point]] = []
         for structure in shown_structures(result, self._player.t, shown):
             origins = structure.blend.decomposition.source_origins
@@ -171,7 +170,7 @@ class FrameView(QWidget):
             pictured = self._pictures.t is not None
             t = self._player.t if self._pictures.t is None else self._pictures.t
             frame = FramePainter(painter, theme, self.camera, self._display.layers)
-            looks = looks_of(self._session.document)
+            looks = parts.looks(self._session.document)
             if pictured:
                 frame.paint_ground(result, t, looks)
                 self._pictures.paint(painter, self.camera)
