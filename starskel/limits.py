@@ -43,11 +43,26 @@ RING_VERTICES = 100_000
 PICTURE_BYTES = 200_000_000
 """A file of a picture."""
 
-PICTURE_PIXELS = 50_000_000
-"""Pixels of a picture; in memory each takes four bytes, and 16 more while it is used."""
+PICTURE_PIXELS = 25_000_000
+"""Pixels of a picture that is read, or of all frames: some formats take 16 bytes for each."""
+
+DRAWN_PIXELS = 50_000_000
+"""Pixels of a picture that is written."""
+
+MOVING_PIXELS = 250_000_000
+"""Pixels of all frames of an animation that is written: they are in memory together, some twice."""
 
 PICTURE_SIDE = 16_384
 """Pixels of each side of a picture: coordinates in it are kept in 16 bits and a fraction."""
+
+TRACED_SIDE = 2048
+"""Pictures of more pixels a side are traced at a half, a third, ... of their size."""
+
+TRACED_PLACES = 300_000
+"""Vertices of an outline as the pixels have it."""
+
+TRACED_VERTICES = 20_000
+"""Vertices of an outline once it is simplified."""
 
 
 def check_limit(name: str, what: str, count: int, most: int) -> None:

@@ -660,6 +660,14 @@
         <translation>wählen Sie eine größere Toleranz: höchstens {most} sind möglich</translation>
     </message>
     <message>
+        <source>the outline changes direction at {count} places</source>
+        <translation>der Umriss ändert an {count} Stellen die Richtung</translation>
+    </message>
+    <message>
+        <source>smooth the picture or scale it down: {most} are the most</source>
+        <translation>glätten Sie das Bild, oder verkleinern Sie es: höchstens {most}</translation>
+    </message>
+    <message>
         <source>pairing</source>
         <translation>Zuordnung</translation>
     </message>

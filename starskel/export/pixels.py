@@ -18,7 +18,7 @@ from starskel.errors import StarskelError, told
 from starskel.export.film import Film
 from starskel.export.pdf import pdf_document
 from starskel.images.placed import Pixels
-from starskel.limits import PICTURE_PIXELS, PICTURE_SIDE
+from starskel.limits import DRAWN_PIXELS, PICTURE_SIDE
 from starskel.sheet.drawing import Drawing, Group, Item
 from starskel.sheet.drawing import Image as DrawnImage
 from starskel.task import Task
@@ -124,10 +124,10 @@ def check_size(width: int, height: int) -> None:
     StarskelError
         Naming the limits.
     """
-    if max(width, height) > PICTURE_SIDE or width * height > PICTURE_PIXELS:
+    if max(width, height) > PICTURE_SIDE or width * height > DRAWN_PIXELS:
         raise StarskelError(
             told("a picture of {width} × {height} pixels is too large", width=width, height=height),
-            told("take fewer: at most {most}, {side} a side", most=PICTURE_PIXELS, side=PICTURE_SIDE),
+            told("take fewer: at most {most}, {side} a side", most=DRAWN_PIXELS, side=PICTURE_SIDE),
         )
 
 

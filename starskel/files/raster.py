@@ -12,10 +12,7 @@ from PIL import Image, ImageOps, ImageSequence, UnidentifiedImageError
 from starskel.errors import InvalidFile, either, told
 from starskel.files.disk import read_bytes, write_bytes
 from starskel.images.placed import Pixels
-from starskel.limits import PICTURE_BYTES, PICTURE_PIXELS, PICTURE_SIDE, check_limit
-
-MOST_MOVING_PIXELS = 250_000_000
-"""All frames of an animation that is written have no more pixels: they are in memory together, some twice."""
+from starskel.limits import MOVING_PIXELS, PICTURE_BYTES, PICTURE_PIXELS, PICTURE_SIDE, check_limit
 
 FORMATS = ("PNG", "JPEG", "GIF", "WEBP", "BMP")
 """What is read."""
@@ -133,7 +130,7 @@ def animation_of(ending: str, frames: Iterable[Pixels], durations: Sequence[floa
     Raises
     ------
     InvalidFile
-        If all frames together have more than `MOST_MOVING_PIXELS`.
+        If all frames together have more than `MOVING_PIXELS`.
     """
     images = []
     for frame in frames:
@@ -206,11 +203,11 @@ def _indexed(pixels: Pixels) -> Image.Image:
 
 
 def _check_fits(count: int, image: Image.Image) -> None:
-    if count * image.width * image.height > MOST_MOVING_PIXELS:
+    if count * image.width * image.height > MOVING_PIXELS:
         size = told("{count} times {width} × {height}", count=count, width=image.width, height=image.height)
         raise InvalidFile(
             told("an animation has too many pixels: {size}", size=size),
-            told("take fewer or smaller pictures, at most {most} pixels, or MP4", most=MOST_MOVING_PIXELS),
+            told("take fewer or smaller pictures, at most {most} pixels, or MP4", most=MOVING_PIXELS),
         )
 
 

@@ -1,6 +1,5 @@
 """Outlines of what is seen in a picture: by its alpha, or by how dark or light it is."""
 
-from collections.abc import Sequence
 from typing import Literal, get_args
 
 import contourpy
@@ -10,7 +9,8 @@ import shapely
 from starskel.errors import StarskelError, told
 from starskel.images.given import choice, finite
 from starskel.images.placed import Pixels, PlacedImage
-from starskel.predicates import Floats
+from starskel.limits import TRACED_PLACES, TRACED_SIDE, TRACED_VERTICES
+from starskel.predicates import Floats, Indices
 from starskel.shapes.shape import Shape
 
 By = Literal["alpha", "dark", "light"]
@@ -19,14 +19,11 @@ By = Literal["alpha", "dark", "light"]
 Parts = Literal["largest", "all"]
 """Only the part with the largest area, or all of them but for specks."""
 
-LARGEST_TRACED = 2048
-"""Pictures of more pixels a side are traced at a half, a third, ... of their size."""
-
-MOST_VERTICES = 20_000
-"""Outlines with more vertices than this are refused."""
-
 LEAST_SHARE = 1e-3
 """Specks and pinholes of less than this part of the largest area are left out."""
+
+_BAND = 64
+"""Rows of the smaller picture that are made at a time."""
 
 _WORDS: dict[By, str] = {"alpha": told("opaque"), "dark": told("dark"), "light": told("light")}
 
@@ -81,9 +78,9 @@ def trace(  # noqa: PLR0913 -- what is seen, and how much of it
     _check_names(image, by, parts)
     _check(level, tolerance)
     chosen = by or usual(image.pixels, level)
-    step = -(-max(image.pixels.shape) // LARGEST_TRACED)
-    values = _shrunk(_values(image.pixels, chosen), step)
-    found = _contours(values, level if chosen != "dark" else 1 - level)
+    step = -(-max(image.pixels.shape) // TRACED_SIDE)
+    values = _values(image.pixels, chosen, step)
+    found = _contours(values, level if chosen != "dark" else 1 - level, parts, holes)
     if not found:
         raise StarskelError(
             told(
@@ -94,13 +91,13 @@ def trace(  # noqa: PLR0913 -- what is seen, and how much of it
             told("choose another level, or trace something else"),
         )
     simple = shapely.simplify(shapely.MultiPolygon(found), tolerance / step)
-    kept = _kept(shapely.get_parts(simple).tolist(), parts, holes)
-    count = sum(len(shapely.get_coordinates(part)) for part in kept)
-    if count > MOST_VERTICES:
+    count = len(shapely.get_coordinates(simple))
+    if count > TRACED_VERTICES:
         raise StarskelError(
             told("the outline has {count} vertices", count=count),
-            told("choose a larger tolerance: {most} are the most", most=MOST_VERTICES),
+            told("choose a larger tolerance: {most} are the most", most=TRACED_VERTICES),
         )
+    kept = shapely.get_parts(simple)
     return Shape.of_parts(
         [(_placed(image, p.exterior, step), [_placed(image, h, step) for h in p.interiors]) for p in kept]
     )
@@ -130,12 +127,19 @@ def _check(level: float, tolerance: float) -> None:
         raise StarskelError(f"a tolerance of {tolerance:g} pixels", "give 0 or more")
 
 
-def _values(pixels: Pixels, by: By) -> Floats:
-    """Give how much each pixel belongs to what is traced, from 0 to 255; transparent ones do not."""
+def _values(pixels: Pixels, by: By, step: int) -> Floats:
+    """Give how much squares of so many pixels a side belong to what is traced, from 0 to 255."""
+    height = step * _BAND
+    bands = [pixels[top : top + height] for top in range(0, len(pixels), height)]
+    return np.concatenate([_shrunk(_seen(band, by), step) for band in bands])
+
+
+def _seen(pixels: Pixels, by: By) -> Floats:
+    """Give how much each pixel belongs to what is traced; transparent ones do not."""
     alpha = pixels[..., 3].astype(np.float64)
     if by == "alpha":
         return alpha
-    brightness = np.asarray(pixels[..., :3] @ _LUMA, dtype=np.float64)
+    brightness = sum((pixels[..., k] * _LUMA[k] for k in (1, 2)), pixels[..., 0] * _LUMA[0])
     return np.asarray((255 - brightness if by == "dark" else brightness) * alpha / 255)
 
 
@@ -150,28 +154,55 @@ def _shrunk(values: Floats, step: int) -> Floats:
     )
 
 
-def _contours(values: Floats, level: float) -> list[shapely.Polygon]:
-    """Give the regions above a level as polygons; that between two values of a byte, so none touch."""
+def _contours(
+    values: Floats, level: float, parts: Literal["largest", "all"], holes: bool
+) -> list[shapely.Polygon]:
+    """Give the regions above a level that count as polygons, the largest first.
+
+    The level is between two values of a byte, so none touch.
+    """
     between = np.floor(255 * level) + 0.5 + 1 / 512  # means of squares may be halves
-    lines = contourpy.contour_generator(z=np.pad(values, 1), fill_type="OuterOffset")
-    regions = []
-    for places, starts in zip(*lines.filled(between, np.inf)[:2], strict=True):
-        rings = np.split(np.asarray(places) - 0.5, np.asarray(starts)[1:-1].astype(np.intp))
-        regions.append(shapely.Polygon(rings[0], rings[1:]))
-    return regions
-
-
-def _kept(regions: Sequence[shapely.Polygon], parts: Parts, holes: bool) -> list[shapely.Polygon]:
-    """Leave out specks and pinholes; the largest part comes first."""
-    ordered = sorted(regions, key=lambda region: -shapely.Polygon(region.exterior).area)
-    least = LEAST_SHARE * shapely.Polygon(ordered[0].exterior).area
-    some = ordered[:1] if parts == "largest" else [r for r in ordered if r.area >= least]
-    return [
-        shapely.Polygon(
-            region.exterior, [h for h in region.interiors if holes and shapely.Polygon(h).area >= least]
+    lines = contourpy.contour_generator(z=np.pad(values, 1), fill_type="ChunkCombinedOffsetOffset")
+    chunks = lines.filled(between, np.inf)
+    if chunks[0][0] is None:
+        return []
+    places, (starts, regions) = chunks[0][0], (np.asarray(own[0], dtype=np.intp) for own in chunks[1:])
+    rings = np.split(places - 0.5, starts[1:-1])
+    kept = _kept(_areas(places, starts), regions, parts, holes)
+    count = sum(len(rings[ring]) for region in kept for ring in region)
+    if count > TRACED_PLACES:
+        raise StarskelError(
+            told("the outline changes direction at {count} places", count=count),
+            told("smooth the picture or scale it down: {most} are the most", most=TRACED_PLACES),
         )
-        for region in some
-    ]
+    return [shapely.Polygon(rings[outline], [rings[hole] for hole in inner]) for outline, *inner in kept]
+
+
+def _areas(places: Floats, starts: Indices) -> Floats:
+    """Give the areas of closed rings that follow each other."""
+    x, y = (places - places[0]).T
+    steps = x[:-1] * y[1:] - x[1:] * y[:-1]
+    steps[starts[1:-1] - 1] = 0  # from one ring to the next
+    return np.asarray(np.abs(np.add.reduceat(steps, starts[:-1])) / 2)
+
+
+def _kept(areas: Floats, regions: Indices, parts: Literal["largest", "all"], holes: bool) -> list[list[int]]:
+    """Give the rings of each region, its outline first, without specks and pinholes; the largest comes first.
+
+    Parameters
+    ----------
+    areas : (k,) array
+        Of each ring.
+    regions : (m + 1,) array
+        Where the rings of each region begin, and the end of the last.
+    """
+    outlines = areas[regions[:-1]]
+    least = LEAST_SHARE * outlines.max()
+    net = 2 * outlines - np.add.reduceat(areas, regions[:-1])
+    order = np.argsort(-outlines, kind="stable")
+    some = order[:1] if parts == "largest" else order[net[order] >= least]
+    inner = [np.arange(regions[k] + 1, regions[k + 1]) if holes else np.empty(0, int) for k in some]
+    return [[int(regions[k]), *own[areas[own] >= least].tolist()] for k, own in zip(some, inner, strict=True)]
 
 
 def _placed(image: PlacedImage, ring: shapely.LinearRing, step: int) -> Floats:

@@ -172,7 +172,7 @@ def test_equal_films_give_equal_pictures(found, tmp_path):
 
 
 def test_an_animation_that_would_fill_the_memory_is_refused(tmp_path, monkeypatch):
-    monkeypatch.setattr(raster, "MOST_MOVING_PIXELS", 10_000)
+    monkeypatch.setattr(raster, "MOVING_PIXELS", 10_000)
     with pytest.raises(InvalidFile, match="too many pixels: 10 times 160"):
         write(tmp_path / "film.gif", arm(**FEW))
     assert not list(tmp_path.iterdir())

@@ -129,6 +129,13 @@ def test_bad_input_is_refused():
         trace(PlacedImage(noise(400, 400)), tolerance=0, parts="all")
 
 
+def test_an_outline_of_too_many_places_is_refused_before_it_is_simplified():
+    checks = np.zeros((1200, 1200, 4), dtype=np.uint8)
+    checks[::2, ::2, 3] = 255
+    with pytest.raises(starskel.StarskelError, match=r"at 1800000 places; .*: 300000 are the most"):
+        trace(PlacedImage(checks), parts="all")
+
+
 def test_the_traced_outline_carries_the_picture():
     image = PlacedImage(disc())
     shape = trace(image, tolerance=0.5)
