@@ -19,6 +19,7 @@ from app.tools.marking import replace_marks
 from app.tools.refusal import Refusal
 from app.tools.settings import Settings
 from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Scene, Tool
+from starskel.files.disk import clear_leftovers
 from starskel.files.project import Project
 from starskel.files.project_file import read_project, write_project
 
@@ -331,6 +332,7 @@ class Session(QObject):
             If it cannot be written.
         """
         write_project(path, project_of(self.document, path.stem))
+        clear_leftovers(path.parent)
         self.file, self.history = Filed.now(path), self.history.saving()
         self.document_changed.emit()
 

@@ -17,7 +17,7 @@ from app.session import Session
 from starskel.errors import StarskelError
 
 DELAY = 2000
-"""Milliseconds from a change to the writing of it; what changes meanwhile is written along."""
+"""Milliseconds from a change to the writing of it, and from a failure to the next try."""
 
 PATIENCE = 5.0
 """Seconds that a program about to crash waits for the disk."""
@@ -28,6 +28,7 @@ class Keeper(QObject):
 
     failed = Signal(object)
     """The error for which the document could not be kept; None when that is over."""
+    _missed = Signal()
 
     def __init__(self, session: Session, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -41,6 +42,7 @@ class Keeper(QObject):
         self._timer.setSingleShot(True)
         self._timer.setInterval(DELAY)
         self._timer.timeout.connect(self._write)
+        self._missed.connect(self._retry)
         session.document_changed.connect(self._follow)
 
     def keep_now(self) -> bool:
@@ -77,6 +79,12 @@ class Keeper(QObject):
             self._timer.start()
 
     @Slot()
+    def _retry(self) -> None:
+        """Try again soon, though nothing has changed: there may be room on the disk by then."""
+        if self._session.unsaved and not self._closed:
+            self._timer.start()
+
+    @Slot()
     def _write(self) -> "Future[None]":
         session = self._session
         self._written = session.document
@@ -96,6 +104,7 @@ class Keeper(QObject):
             self._error = None
         except StarskelError as error:
             self._error = error
+            self._missed.emit()
         if str(self._error) != str(former):
             self.failed.emit(self._error)
 

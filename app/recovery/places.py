@@ -9,7 +9,7 @@ from PySide6.QtCore import QLockFile, QStandardPaths
 
 from app.recovery.record import Record, read_record
 from starskel.errors import StarskelError
-from starskel.files.disk import made_folder
+from starskel.files.disk import clear_leftovers, made_folder
 
 ENDING = ".json"
 
@@ -84,6 +84,7 @@ class Kept:
 
 def kept_records() -> tuple[Kept, ...]:
     """Claim all records that no window holds, and give them, the newest first, damaged ones last."""
+    clear_leftovers(_folder())
     places = [Place(path) for path in _folder().glob(f"*{ENDING}")]
     found = [_kept(place) for place in places if place.claim()]
     return tuple(sorted(filter(None, found), key=lambda kept: (kept.readable, kept.time), reverse=True))

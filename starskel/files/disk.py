@@ -4,8 +4,10 @@ import contextlib
 import errno
 import hashlib
 import os
+import re
 import secrets
 import stat
+import time
 from pathlib import Path
 
 from starskel.errors import InvalidFile, told
@@ -13,6 +15,11 @@ from starskel.limits import DOCUMENT_BYTES, check_limit
 
 _CHUNK = 1 << 20
 """Bytes that are read at a time: of what has no end, such as a device, no more than the limit."""
+
+_PARTIAL = ".partial"
+
+_STALE = 600.0
+"""Seconds since something was last written to a partial file, after which nobody is writing it any more."""
 
 
 def read_bytes(path: Path, most: int = DOCUMENT_BYTES) -> bytes:
@@ -77,6 +84,15 @@ def write_bytes(path: Path, content: bytes) -> None:
         ) from error
 
 
+def clear_leftovers(folder: Path) -> None:
+    """Remove what programs that were killed had begun to write into a folder, some minutes ago or earlier."""
+    with contextlib.suppress(OSError):
+        for left in folder.glob(f".*{_PARTIAL}"):
+            old = time.time() - left.stat().st_mtime > _STALE
+            if old and re.fullmatch(rf"\.[0-9a-f]{{16}}\{_PARTIAL}", left.name):
+                left.unlink(missing_ok=True)
+
+
 def made_folder(path: Path) -> Path:
     """Make a folder, and those above it, where there is none; give it.
 
@@ -102,7 +118,7 @@ def _write_through(device: Path, content: bytes) -> None:
 
 
 def _replace(target: Path, content: bytes) -> None:
-    temporary = target.with_name(f".{secrets.token_hex(8)}.partial")
+    temporary = target.with_name(f".{secrets.token_hex(8)}{_PARTIAL}")
     try:
         with temporary.open("xb") as stream:
             stream.write(content)

@@ -1,5 +1,6 @@
 """Keeping unsaved work, with a real session and a real state folder; crashes are real, too."""
 
+import os
 import signal
 import subprocess
 import sys
@@ -121,6 +122,49 @@ def test_where_nothing_can_be_kept_it_is_said_once_and_taken_back(
     qtbot.waitUntil(lambda: len(said) == 2)
     assert "cannot be made a folder" in str(said[0])
     assert said[1] is None
+
+
+def test_what_could_not_be_kept_is_kept_as_soon_as_it_can_be(
+    session: Session, keeper: Keeper, qtbot: QtBot
+) -> None:
+    state_folder().parent.mkdir(parents=True, exist_ok=True)
+    state_folder().write_text("a file where the folder should be")
+    drawn(session)
+    with qtbot.waitSignal(keeper.failed):
+        pass
+    state_folder().unlink()
+    qtbot.waitUntil(lambda: len(files()) == 1)
+    assert read_record(files()[0]).project.shapes[0].rings == (SQUARE,)
+
+
+def test_nothing_more_is_tried_when_the_document_is_given_up(
+    session: Session, keeper: Keeper, qtbot: QtBot
+) -> None:
+    state_folder().parent.mkdir(parents=True, exist_ok=True)
+    state_folder().write_text("a file where the folder should be")
+    drawn(session)
+    with qtbot.waitSignal(keeper.failed):
+        pass
+    session.new()
+    state_folder().unlink()
+    qtbot.wait(200)  # four times as long as until the next try
+    assert not files()
+
+
+def test_what_a_killed_program_had_begun_to_write_is_cleared(session: Session, tmp_path: Path) -> None:
+    old, young = (f".{letter * 16}.partial" for letter in "ab")
+    recovery = state_folder() / "recovery"
+    recovery.mkdir(parents=True)
+    for folder in (recovery, tmp_path):
+        for name in (old, young, ".mine.partial"):
+            (folder / name).write_text("{")
+        for name in (old, ".mine.partial"):
+            os.utime(folder / name, (0, 0))
+    kept_records()
+    session.save(tmp_path / "a.json")
+    left = {young, ".mine.partial"}
+    assert {path.name for path in recovery.iterdir()} == left
+    assert {path.name for path in tmp_path.iterdir() if path.is_file()} == left | {"a.json"}
 
 
 def crashed(code: str = "") -> subprocess.CompletedProcess[str]:
