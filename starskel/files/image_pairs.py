@@ -1,6 +1,6 @@
 """Files of pairs of pictures, format image-pairs/1: outlines in pixels, y down, and PNG files beside them."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path, PurePosixPath
 
@@ -8,17 +8,19 @@ import msgspec
 
 from starskel.correspondence.marks import Mark
 from starskel.errors import InvalidFile, told
+from starskel.files.disk import read_bytes
 from starskel.files.documents import check_format, read_document
-from starskel.files.pair_file import PairFile
+from starskel.files.pair_file import IMAGE_PAIRS, PairFile
 from starskel.files.pairs import ShapePair
 from starskel.files.picture import Picture
 from starskel.files.project import Project, letter
-from starskel.files.raster import image_of, read_image
+from starskel.files.raster import image_of
 from starskel.files.shapes import Row, marked_shapes, polygon_of
 from starskel.images.placed import PlacedImage
+from starskel.limits import PICTURE_BYTES
 from starskel.polygon import Polygon
 
-FORMAT = "image-pairs/1"
+FORMAT = IMAGE_PAIRS
 
 
 class _Side(msgspec.Struct, frozen=True):
@@ -41,17 +43,28 @@ class _Document(msgspec.Struct, frozen=True):
 
 @dataclass(frozen=True, eq=False)
 class ImagePair:
-    """Two shapes with their marks, and the pictures in them; one of these may be missing.
+    """Two shapes with their marks, and the pictures in them.
 
     Attributes
     ----------
     shapes : ShapePair
-    source, target : PlacedImage or None
+    source, target : PlacedImage
+    contents : (bytes, bytes)
+        The files of these pictures.
     """
 
     shapes: ShapePair
-    source: PlacedImage | None
-    target: PlacedImage | None
+    source: PlacedImage
+    target: PlacedImage
+    contents: tuple[bytes, bytes]
+
+    @property
+    def project(self) -> Project:
+        """The pair as a project of one step, the pictures behind its shapes."""
+        project = Project.of(self.shapes)
+        sides = zip(project.shapes, (self.source, self.target), self.contents, strict=True)
+        shapes = tuple(replace(shape, picture=_picture(image, content)) for shape, image, content in sides)
+        return replace(project, shapes=shapes)
 
 
 def read_image_pairs(path: Path) -> PairFile[ImagePair]:
@@ -72,19 +85,26 @@ def _checked(path: Path, entry: _Entry) -> ImagePair:
     first = _side(path, entry.p, told("{where}: {what}", where=where, what=told("source (p)")))
     second = _side(path, entry.q, told("{where}: {what}", where=where, what=told("target (q)")))
     source, target, marks = marked_shapes(first[1], second[1], entry.marks, where)
-    return ImagePair(ShapePair(entry.id, source, target, marks), first[0], second[0])
+    contents = first[2], second[2]
+    return ImagePair(ShapePair(entry.id, source, target, marks), first[0], second[0], contents)
 
 
-def _side(path: Path, side: _Side, where: str) -> tuple[PlacedImage, Polygon]:
+def _side(path: Path, side: _Side, where: str) -> tuple[PlacedImage, Polygon, bytes]:
     name = PurePosixPath(side.image)
     if name.is_absolute() or ".." in name.parts or "\\" in side.image:
         raise InvalidFile(
             told('{where}: the picture "{name}" is not in the folder of the file', where=where, name=name),
             told("put it beside the file and give its name alone"),
         )
-    picture = PlacedImage(read_image(path.parent / name))
+    content = read_bytes(path.parent / name, PICTURE_BYTES)
+    picture = PlacedImage(image_of(content, str(path.parent / name)))
     rows = picture.to_document(side.outline).tolist() if side.outline else []
-    return picture, polygon_of(rows, where)
+    return picture, polygon_of(rows, where), content
+
+
+def _picture(image: PlacedImage, content: bytes) -> Picture:
+    height, width = image.pixels.shape[:2]
+    return Picture(content, (width / 2, height / 2), (float(width), float(height)))
 
 
 def picture_of(path: Path, project: Project, shape: int) -> PlacedImage | None:

@@ -8,6 +8,9 @@ from typing import Generic, Protocol, TypeVar
 
 from starskel.errors import InvalidFile, told
 
+IMAGE_PAIRS = "image-pairs/1"
+"""The format of files of pairs of pictures: named here, as what reads them takes long to load."""
+
 
 class Named(Protocol):
     """What stands in a file under a name."""

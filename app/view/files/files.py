@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING, TypeAlias
 
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtWidgets import QMainWindow
@@ -31,14 +32,27 @@ from starskel.files import multi_pairs, pairs
 from starskel.files.documents import format_of
 from starskel.files.examples import example
 from starskel.files.multi_pairs import MultiPair, read_multi_pairs
-from starskel.files.pair_file import PairFile
+from starskel.files.pair_file import IMAGE_PAIRS, PairFile
 from starskel.files.pairs import ShapePair, read_pairs
 from starskel.files.project import Project
 from starskel.reading.readers import ENDINGS
 
-PAIRS: dict[str, Callable[[Path], PairFile[ShapePair] | PairFile[MultiPair]]] = {
+if TYPE_CHECKING:  # what reads pictures is loaded when there are some, so that the window opens sooner
+    from starskel.files.image_pairs import ImagePair
+
+AnyFile: TypeAlias = "PairFile[ShapePair] | PairFile[MultiPair] | PairFile[ImagePair]"
+
+
+def _read_image_pairs(path: Path) -> "PairFile[ImagePair]":
+    read: Callable[[Path], PairFile[ImagePair]]
+    read = import_module("starskel.files.image_pairs").read_image_pairs
+    return read(path)
+
+
+PAIRS: dict[str, Callable[[Path], AnyFile]] = {
     pairs.FORMAT: read_pairs,
     multi_pairs.FORMAT: read_multi_pairs,
+    IMAGE_PAIRS: _read_image_pairs,
 }
 """What reads a file of pairs, by its format."""
 
@@ -143,13 +157,17 @@ class Files(QObject):
             self._folder = path.parent
             self.exported.emit(path)
 
-    def _open_pair(self, file: PairFile[ShapePair] | PairFile[MultiPair]) -> None:
+    def _open_pair(self, file: AnyFile) -> None:
         chosen: str | None = file.ids[0]
         if len(file.ids) > 1:
             dialog = PairDialog(file.ids, self._window)
             chosen = dialog.chosen if accepted(dialog) else None
         if chosen is not None:
-            self._session.show_project(Project.of(file.pair(chosen)))
+            pair = file.pair(chosen)
+            if isinstance(pair, ShapePair | MultiPair):
+                self._session.show_project(Project.of(pair))
+            else:
+                self._session.show_project(pair.project)
 
     def _save(self, path: Path) -> bool:
         file = self._session.file

@@ -1,3 +1,4 @@
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,13 +14,16 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.model.marks import SIDES
 from app.view.files import exporting, files
 from app.view.files.dialogs import PairDialog, SaveDialog
 from app.view.main_window import MainWindow
 from starskel.files.examples import example
 from starskel.files.pairs import ShapePair, write_pairs
 from starskel.files.project_file import read_project
+from starskel.files.raster import write_image
 from tests.app.driver import CONTROL, SHIFT, SQUARE, Driver, name_file, type_name
+from tests.starskel.images.drawn import waves
 
 
 @pytest.fixture(autouse=True)
@@ -273,3 +277,18 @@ def _name(dialog: QWidget, path: Path) -> None:
 
 def _pair(name: str) -> ShapePair:
     return replace(example(name).pair(0), id=name)
+
+
+def test_a_pair_of_pictures_is_opened_with_them(driver: Driver, tmp_path: Path) -> None:
+    write_image(tmp_path / "a.png", waves(40, 30))
+    side = {"image": "a.png", "outline": [[5, 5], [5, 25], [25, 25], [25, 5]]}
+    path = tmp_path / "images.json"
+    entry = {"id": "one", "p": side, "q": side}
+    path.write_text(json.dumps({"format": "image-pairs/1", "pairs": [entry]}))
+    driver.window.files.open(path)
+    for name in SIDES:
+        picture = driver.document.picture(name)
+        assert picture is not None
+        assert picture.size == (40, 30)
+    driver.wait_for_blends()
+    assert all(state.error is None for state in driver.session.results.values())

@@ -36,6 +36,19 @@ def test_outlines_lie_on_their_pictures(tmp_path):
     assert pair.shapes.source.vertices[pair.shapes.marks[1][0]].tolist() == [25, 5]
 
 
+def test_a_pair_is_a_project_with_the_pictures_where_they_were(tmp_path):
+    path = document(tmp_path)
+    pair = read_image_pairs(path).pair("one")
+    project = pair.project
+    assert project.name == "one"
+    assert project.steps[0].links[0].marks == pair.shapes.marks
+    for number, image in enumerate((pair.source, pair.target)):
+        assert project.shapes[number].picture.content == (tmp_path / "a.png").read_bytes()
+        placed = picture_of(path, project, number)
+        assert np.array_equal(placed.pixels, image.pixels)
+        np.testing.assert_allclose(placed.placement, image.placement, atol=1e-12)
+
+
 @pytest.mark.parametrize("name", ["../a.png", "/etc/a.png", "x/../../a.png", "..\\a.png"])
 def test_pictures_outside_the_folder_are_not_read(tmp_path, name):
     with pytest.raises(InvalidFile, match="not in the folder of the file"):
