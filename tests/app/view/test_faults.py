@@ -1,8 +1,6 @@
 """Faults: exceptions that nothing caught, from slots and threads, and crashes of the whole program."""
 
-import os
 import signal
-import subprocess
 import sys
 import threading
 from collections.abc import Iterator
@@ -19,6 +17,7 @@ from app.recovery.places import state_folder
 from app.view.faults import FaultDialog, Faults
 from app.view.main_window import MainWindow
 from tests.app.driver import SQUARE, Driver
+from tests.app.program import program
 
 
 @pytest.fixture
@@ -112,35 +111,6 @@ def test_a_log_that_has_grown_long_begins_anew(monkeypatch: pytest.MonkeyPatch) 
     assert all(len(text) < 1100 for text in logs.values())
 
 
-def program(state: Path, code: str) -> "subprocess.CompletedProcess[str]":
-    """Run the whole editor, and some code as soon as its window is there."""
-    text = f"""
-import sys, pathlib
-from PySide6.QtCore import QSettings, QTimer
-for kind in (QSettings.Format.NativeFormat, QSettings.Format.IniFormat):
-    QSettings.setPath(kind, QSettings.Scope.UserScope, {str(state)!r})
-from PySide6.QtWidgets import QApplication
-from app.view import start
-begin = start.begin
-def begun(window, path):
-    begin(window, path)
-    def act():
-{chr(10).join("        " + line for line in code.splitlines())}
-    QTimer.singleShot(0, act)
-start.begin = begun
-sys.exit(start.run(None))
-"""
-    surroundings = {**os.environ, "XDG_STATE_HOME": str(state), "QT_QPA_PLATFORM": "offscreen"}
-    return subprocess.run(
-        [sys.executable, "-c", text],
-        env=surroundings,
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=60,
-    )
-
-
 def test_a_crash_leaves_the_calls_of_all_threads_and_the_unsaved_work(tmp_path: Path) -> None:
     done = program(
         tmp_path,
@@ -157,22 +127,3 @@ faulthandler._sigsegv()
     assert "Segmentation fault" in log
     assert "in act" in log
     assert len(list((tmp_path / "starskel" / "recovery").glob("*.json"))) == 1
-
-
-@pytest.mark.parametrize("milliseconds", [0, 30, 120, 400])
-def test_quitting_in_mid_computation_ends_with_status_0_and_leaves_nothing(
-    tmp_path: Path, milliseconds: int
-) -> None:
-    done = program(
-        tmp_path,
-        f"""
-from starskel.files.examples import example
-window.session.show_project(example("figure-8-zigzags"))
-QTimer.singleShot({milliseconds}, window.close)
-""",
-    )
-    assert done.returncode == 0, done.stderr
-    said = [line for line in done.stderr.splitlines() if not line.startswith("This plugin does not support")]
-    assert not said
-    assert "ends" in (tmp_path / "starskel" / "crashes.log").read_text()
-    assert not list((tmp_path / "starskel").glob("recovery/*"))
