@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication
 import starskel
 from app.session import Session
 from app.tools.tool import Pointer
+from app.view.collecting import collecting_here
 from app.view.main_window import MainWindow
 from app.view.painting.theme import LIGHT, apply_theme
 from starskel.files.pairs import ShapePair
@@ -93,10 +94,11 @@ def editing(most: int) -> None:
     application = QApplication.instance() or QApplication([])
     assert isinstance(application, QApplication)
     apply_theme(application, LIGHT)
-    dragging(100)
-    for vertices, least in FRAME.items():
-        if vertices <= most:
-            sliding(vertices, least)
+    with collecting_here():
+        dragging(100)
+        for vertices, least in FRAME.items():
+            if vertices <= most:
+                sliding(vertices, least)
     starting()
 
 
