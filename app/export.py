@@ -80,6 +80,10 @@ class Choice:
         Pictures a second, of what moves and is made of them.
     look : Look
         Colours, outline, margin and size.
+    times : tuple of float
+        When the keyframes are, in the place of evenly spread ones; none leaves it at these.
+    tolerance : float
+        How far a vertex may stray between the keys of an animation, as a part of the box of all frames.
     """
 
     layout: Layout
@@ -94,6 +98,8 @@ class Choice:
     pixels: int | None = None
     rate: float = 25.0
     look: Look = USUAL_LOOK
+    times: tuple[float, ...] = ()
+    tolerance: float = 0.001
 
     @property
     def settings(self) -> Settings:
@@ -101,7 +107,7 @@ class Choice:
         single = self.layout == "frame"
         return Settings(
             layout=DRAWN[self.layout],
-            times=(self.t,) if single else even_times(self.frames),
+            times=(self.t,) if single else self._keyframes,
             eased=self.eased and not single,
             look=self.look,
             shown=self.shown,
@@ -109,12 +115,17 @@ class Choice:
             returning=self.returning,
             rate=self.rate,
             pixels=self.pixels,
+            tolerance=self.tolerance,
         )
+
+    @property
+    def _keyframes(self) -> tuple[float, ...]:
+        return self.times or even_times(self.frames)
 
     def morph(self, easing: Easing, hidden: Sequence[int], *, moving: bool) -> morphs.MorphSettings:
         """Give what is wanted of a morph, which moves or is a row of keyframes, without hidden parts."""
         whole = Settings("animation", duration=self.seconds, returning=self.returning, rate=self.rate)
-        times = whole.moments if moving else even_times(self.frames)
+        times = whole.moments if moving else self._keyframes
         ts = [easing.t(time) for time in times] if self.eased else times
         return morphs.MorphSettings(ts, self.pixels or USUAL_SIDE, self.rate, self.look.paper, hidden=hidden)
 

@@ -87,6 +87,16 @@ class Sequence:
         return tuple(end / ends[-1] for end in ends)
 
     @property
+    def drawn(self) -> tuple[bool, ...]:
+        """For each step whether both of its shapes have been drawn."""
+        return tuple(bool(a.parts and b.parts) for a, b in pairwise(self.shapes))
+
+    def drawn_step(self, step: int) -> int:
+        """Give a step, or where a shape of it is empty the nearest drawn one, before it if there is one."""
+        places = [number for number, drawn in enumerate(self.drawn) if drawn]
+        return min(places, key=lambda place: (place > step, abs(place - step)), default=step)
+
+    @property
     def complete(self) -> bool:
         """Whether there is a step with both its shapes."""
         return any(one.parts and two.parts for one, two in pairwise(self.shapes))

@@ -84,7 +84,9 @@ class Watching(QObject):
 
     @Slot()
     def _follow_results(self) -> None:
-        self._actions["export"].setEnabled(bool(self._session.fresh_results))
+        document = self._session.document
+        states = self._session.results_of(document.sequence.drawn_step(document.step)).values()
+        self._actions["export"].setEnabled(any(state.fresh is not None for state in states))
 
     @Slot()
     def _fit(self) -> None:

@@ -2153,14 +2153,6 @@
         <translation>Schlüsselbilder exportieren</translation>
     </message>
     <message>
-        <source> s</source>
-        <translation> s</translation>
-    </message>
-    <message>
-        <source>Back and forth</source>
-        <translation>Hin und her</translation>
-    </message>
-    <message>
         <source>The whole sequence</source>
         <translation>Die ganze Folge</translation>
     </message>
@@ -2189,10 +2181,6 @@
         <translation>Die längere Seite, bei Formaten aus Pixeln</translation>
     </message>
     <message>
-        <source>Of formats that are made of pictures</source>
-        <translation>Bei Formaten aus Einzelbildern</translation>
-    </message>
-    <message>
         <source>&amp;What</source>
         <translation>&amp;Was</translation>
     </message>
@@ -2205,20 +2193,20 @@
         <translation>&amp;Schlüsselbilder</translation>
     </message>
     <message>
+        <source>At t&amp;hese times</source>
+        <translation>&amp;Zu diesen Zeiten</translation>
+    </message>
+    <message>
         <source>&amp;Time t</source>
         <translation>&amp;Zeit t</translation>
     </message>
     <message>
-        <source>&amp;Duration</source>
-        <translation>&amp;Dauer</translation>
-    </message>
-    <message>
-        <source>Pictures a &amp;second</source>
-        <translation>Bilder je &amp;Sekunde</translation>
-    </message>
-    <message>
         <source>Si&amp;ze</source>
         <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>Times are numbers from 0 to 1, set apart by spaces</source>
+        <translation>Zeiten sind Zahlen von 0 bis 1, durch Leerzeichen getrennt</translation>
     </message>
     <message>
         <source>Can be written as {names}</source>
@@ -2496,6 +2484,10 @@
         <translation>Farbe des Papiers</translation>
     </message>
     <message>
+        <source>Of frames in a row, in a sheet, or side by side</source>
+        <translation>Bei Bildern in einer Reihe, auf einem Blatt oder nebeneinander</translation>
+    </message>
+    <message>
         <source>usual</source>
         <translation>üblich</translation>
     </message>
@@ -2522,6 +2514,10 @@
     <message>
         <source>Ma&amp;rgin</source>
         <translation>&amp;Rand</translation>
+    </message>
+    <message>
+        <source>Bet&amp;ween frames</source>
+        <translation>Z&amp;wischen Bildern</translation>
     </message>
     <message>
         <source>Largest &amp;frame</source>
@@ -2691,6 +2687,41 @@
     <message>
         <source>certified</source>
         <translation>zertifiziert</translation>
+    </message>
+</context>
+<context>
+    <name>MotionFields</name>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"> s</translation>
+    </message>
+    <message>
+        <source>Back and forth</source>
+        <translation type="unfinished">Hin und her</translation>
+    </message>
+    <message>
+        <source>Of formats that are made of pictures</source>
+        <translation type="unfinished">Bei Formaten aus Einzelbildern</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>How far vertices may stray between keys of SVG and Lottie, of the box of all frames</source>
+        <translation>Wie weit Ecken zwischen Schlüsseln von SVG und Lottie abweichen dürfen, vom Rechteck um alle Bilder</translation>
+    </message>
+    <message>
+        <source>&amp;Duration</source>
+        <translation type="unfinished">&amp;Dauer</translation>
+    </message>
+    <message>
+        <source>Pictures a &amp;second</source>
+        <translation type="unfinished">Bilder je &amp;Sekunde</translation>
+    </message>
+    <message>
+        <source>T&amp;olerance</source>
+        <translation>T&amp;oleranz</translation>
     </message>
 </context>
 <context>
@@ -3520,6 +3551,13 @@
     <message>
         <source>The moment shown, from 0 (source) to 1 (target)</source>
         <translation>Der gezeigte Augenblick, von 0 (Quelle) bis 1 (Ziel)</translation>
+    </message>
+</context>
+<context>
+    <name>TimesField</name>
+    <message>
+        <source>Numbers from 0 to 1, set apart by spaces; empty for evenly spread ones</source>
+        <translation>Zahlen von 0 bis 1, durch Leerzeichen getrennt; leer für gleichmäßig verteilte</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,6 @@
 """What to export: keyframes, pages, a sheet of all methods, what moves, or coordinates."""
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Qt, Slot
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Slot
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -15,9 +15,10 @@ from PySide6.QtWidgets import (
 )
 
 from app.export import FORMATS, Choice, Layout, Stretch
-from app.playback import Repeat
 from app.view.files.look_fields import LookFields
+from app.view.files.motion_fields import MotionFields, dim_labels
 from app.view.files.overlay_fields import OverlayFields
+from app.view.files.times_field import TimesField
 from app.view.painting.display import Display
 from app.view.timeline.player import Player
 from app.view.wording import words
@@ -50,7 +51,8 @@ class ExportDialog(QDialog):
         whole: bool = False,
     ) -> None:
         super().__init__(parent)
-        self.setWindowTitle(self.tr("Export keyframes"))
+        title = self.tr("Export keyframes")
+        self.setWindowTitle(f"{title}: {shown.name}" if shown.name else title)
         self._layout_field = QComboBox()
         self._pictured = shown.pictures != (None, None)
         for layout, text in _LAYOUTS if self._pictured else (each for each in _LAYOUTS if each[0] != "morph"):
@@ -65,12 +67,8 @@ class ExportDialog(QDialog):
         self._t.setRange(0, 1)
         self._t.setSingleStep(0.01)
         self._t.setValue(player.t)
-        self._seconds = DecimalField()
-        self._seconds.setRange(0.1, 600)
-        self._seconds.setSuffix(self.tr(" s"))
-        self._seconds.setValue(player.duration)
-        self._returning = QCheckBox(self.tr("Back and forth"))
-        self._returning.setChecked(player.repeat == Repeat.PING_PONG)
+        self._times = TimesField()
+        self._motion = MotionFields(player)
         self._can_be_whole = whole
         self._whole = QCheckBox(self.tr("The whole sequence"))
         self._whole.setToolTip(self.tr("From the first key shape to the last, once all steps are blended"))
@@ -86,15 +84,12 @@ class ExportDialog(QDialog):
         self._pixels.setSuffix(self.tr(" px"))
         self._pixels.setSpecialValueText(self.tr("usual"))
         self._pixels.setToolTip(self.tr("The longer side, of formats that are made of pixels"))
-        self._rate = QSpinBox()
-        self._rate.setRange(1, 100)
-        self._rate.setValue(25)
-        self._rate.setToolTip(self.tr("Of formats that are made of pictures"))
         self._formats = QLabel()
         self._formats.setWordWrap(True)
         self._arrange()
         self._layout_field.currentIndexChanged.connect(self._follow)
         self._whole.toggled.connect(self._follow)
+        self._times.textChanged.connect(self._follow)
         self._follow()
 
     @property
@@ -108,34 +103,34 @@ class ExportDialog(QDialog):
             self._overlays.shown,
             self._eased.isChecked(),
             self._whole.isEnabled() and self._whole.isChecked(),
-            self._seconds.value(),
-            self._returning.isChecked(),
+            self._motion.seconds,
+            self._motion.returning,
             self._pixels.value() if self._pixels.value() > SMALLEST else None,
-            self._rate.value(),
+            self._motion.rate,
             self._look.look,
+            self._times.times or (),
+            self._motion.tolerance,
         )
 
     def _arrange(self) -> None:
-        form = QFormLayout()
+        form = self._form = QFormLayout()
         form.setVerticalSpacing(8)
         for label, field in (
             (self.tr("&What"), self._layout_field),
             ("", self._whole),
             (self.tr("&Method"), self._method),
             (self.tr("&Keyframes"), self._frames),
+            (self.tr("At t&hese times"), self._times),
             ("", self._eased),
             (self.tr("&Time t"), self._t),
-            (self.tr("&Duration"), self._seconds),
-            ("", self._returning),
-            (self.tr("Pictures a &second"), self._rate),
             (self.tr("Si&ze"), self._pixels),
         ):
             form.addRow(label, field)
             field.setAccessibleName(label.replace("&", "") or field.accessibleName())
-        for box in (self._whole, self._eased, self._returning):
+        for box in (self._whole, self._eased):
             box.setAccessibleName(box.text())
         kind = QDialogButtonBox.StandardButton
-        buttons = QDialogButtonBox(kind.Save | kind.Cancel)
+        buttons = self._buttons = QDialogButtonBox(kind.Save | kind.Cancel)
         buttons.button(kind.Save).setText(self.tr("&Export…"))
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
@@ -146,8 +141,12 @@ class ExportDialog(QDialog):
         right.addStretch()
         columns = QHBoxLayout()
         columns.setSpacing(24)
-        columns.addLayout(form)
-        columns.setAlignment(form, Qt.AlignmentFlag.AlignTop)
+        left = QVBoxLayout()
+        left.addLayout(form)
+        left.addSpacing(12)
+        left.addLayout(self._motion)
+        left.addStretch()
+        columns.addLayout(left)
         columns.addLayout(right)
         layout = QVBoxLayout(self)
         layout.setSpacing(12)
@@ -159,17 +158,23 @@ class ExportDialog(QDialog):
     @Slot()
     def _follow(self) -> None:
         layout: Layout = self._layout_field.currentData()
-        moves = layout in ("animation", "morph")
+        times = self._times.times
         self._method.setEnabled(layout != "sheet")
-        self._frames.setEnabled(layout not in ("frame", "animation"))
+        self._times.setEnabled(layout not in ("frame", "animation"))
+        self._frames.setEnabled(self._times.isEnabled() and times == ())
         self._whole.setEnabled(layout not in ("frame", "morph") and self._can_be_whole)
         whole = self._whole.isEnabled() and self._whole.isChecked()
         self._eased.setEnabled(layout != "frame" and (whole or not self._easing.even))
         self._t.setEnabled(layout == "frame")
-        for field in (self._seconds, self._returning, self._rate):
-            field.setEnabled(moves)
+        self._motion.offer(layout)
+        dim_labels(self._form)
         self._pixels.setEnabled(layout != "numbers")
         self._look.setEnabled(layout != "numbers")
         self._overlays.offer(drawn=layout not in ("numbers", "morph"))
+        known = times is not None or not self._times.isEnabled()
+        self._buttons.button(QDialogButtonBox.StandardButton.Save).setEnabled(known)
+        if not known:
+            self._formats.setText(self.tr("Times are numbers from 0 to 1, set apart by spaces"))
+            return
         names = ", ".join(str(words.retold(each.name)) for each in FORMATS[layout])
         self._formats.setText(self.tr("Can be written as {names}").format(names=names))

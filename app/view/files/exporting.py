@@ -33,7 +33,8 @@ def export(window: QWidget, session: Session, player: Player, display: Display, 
     file : Path
         What it may be called, without the ending.
     """
-    shown, whole = stretches(session)[session.document.step], whole_sequence(session)
+    number = session.document.sequence.drawn_step(session.document.step)
+    shown, whole = stretches(session)[number], whole_sequence(session)
     dialog = ExportDialog(shown, player, display, window, whole=bool(whole))
     if not accepted(dialog):
         return None
@@ -80,8 +81,14 @@ def stretches(session: Session) -> tuple[Stretch, ...]:
 
 
 def whole_sequence(session: Session) -> tuple[Stretch, ...]:
-    """Give all steps, where there are several and all have the methods of the one shown; else none."""
-    steps = stretches(session)
-    methods = {result.method for result in steps[session.document.step].results}
-    done = all(methods == {result.method for result in each.results} for each in steps)
-    return steps if done and len(steps) > 1 else ()
+    """Give all steps, where there are several and all have the same methods; else none.
+
+    Steps from or to a shape that is still empty do not count at both ends of the sequence.
+    """
+    places = [number for number, drawn in enumerate(session.document.sequence.drawn) if drawn]
+    own = stretches(session)[places[0] : places[-1] + 1] if places else ()
+    if not own:
+        return ()
+    methods = {result.method for result in own[0].results}
+    done = methods and all(methods == {result.method for result in each.results} for each in own)
+    return own if done and len(own) > 1 else ()

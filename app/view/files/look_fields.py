@@ -38,6 +38,8 @@ class LookFields(QWidget):
         self._papered.setToolTip(self.tr("Else nothing is behind; sheets and video are white"))
         self._paper = ColourButton(PAPER, self.tr("Colour of the paper"))
         self._margin = self._length(USUAL.margin, 0, 200, 1)
+        self._gap = self._length(USUAL.gap, 0, 200, 1)
+        self._gap.setToolTip(self.tr("Of frames in a row, in a sheet, or side by side"))
         self._size = self._length(0, 0, 2000, 10)
         self._size.setSpecialValueText(self.tr("usual"))
         self._size.setToolTip(self.tr("The longer side of the largest frame"))
@@ -60,6 +62,7 @@ class LookFields(QWidget):
             colours=fills[self._fill.currentData()],
             outline=outline,
             paper=self._paper.colour if self._papered.isChecked() else None,
+            gap=self._gap.value(),
             margin=self._margin.value(),
             size=self._size.value() or None,
             signs=self._signs.isChecked(),
@@ -75,6 +78,7 @@ class LookFields(QWidget):
             ("", (self._outlined, self._stroke, self._width)),
             ("", (self._papered, self._paper)),
             (self.tr("Ma&rgin"), (self._margin,)),
+            (self.tr("Bet&ween frames"), (self._gap,)),
             (self.tr("Largest &frame"), (self._size,)),
             ("", (self._captions,)),
             ("", (self._signs,)),

@@ -1,15 +1,17 @@
 """Exports, through their dialogs."""
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QLocale, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QDialogButtonBox,
+    QDoubleSpinBox,
     QFileDialog,
     QMessageBox,
     QProgressBar,
@@ -19,6 +21,7 @@ from PySide6.QtWidgets import (
 from app.playback import Repeat
 from app.view.files.export_dialog import ExportDialog
 from app.view.files.look_fields import LookFields
+from app.view.files.times_field import TimesField
 from app.view.files.waiting import Waiting
 from starskel.easing import Easing
 from starskel.files.examples import example
@@ -164,6 +167,82 @@ def test_an_export_looks_as_it_was_wanted(driver: Driver, tmp_path: Path) -> Non
     assert 'fill="#ffffff"/>' in text
     assert text.count("<path") == 7
     assert 'stroke="#20262e" stroke-width="0.7"' not in text
+
+
+def test_what_is_drawn_is_exported_while_a_third_shape_is_empty(driver: Driver, tmp_path: Path) -> None:
+    titles: list[str] = []
+
+    def choose(dialog: QWidget) -> None:
+        titles.append(dialog.windowTitle())
+        _exporting(driver, 0, tmp_path / "there.svg")(dialog)
+
+    driver.draw_both()
+    driver.wait_for_blends()
+    driver.window.actions_table["shape-add"].trigger()
+    assert driver.document.step == 1
+    assert driver.window.actions_table["export"].isEnabled()
+    driver.in_dialog(choose)
+    driver.key(Qt.Key.Key_E, CONTROL)
+    assert titles == ["Export keyframes: A-B"]
+    assert (tmp_path / "there.svg").read_text().count('id="frame-') == 6
+
+
+def test_times_gap_and_tolerance_are_as_wanted(driver: Driver, tmp_path: Path) -> None:
+    def write(layout: str, name: str, times: str, gap: float, tolerance: float) -> str:
+        def choose(dialog: QWidget) -> None:
+            assert isinstance(dialog, ExportDialog)
+            layouts = dialog.findChildren(QComboBox)[0]
+            layouts.setCurrentIndex(layouts.findData(layout))
+            field = dialog.findChild(TimesField)
+            assert field is not None
+            save = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save)  # type: ignore[union-attr]
+            if field.isEnabled():
+                QTest.keyClicks(field, "0 two")
+                assert not save.isEnabled()
+                field.clear()
+                QTest.keyClicks(field, times)
+            _number(dialog, "Between frames").setValue(gap)
+            _number(dialog, "Tolerance").setValue(tolerance)
+            driver.in_dialog(lambda inner: _name(inner, tmp_path / name))
+            save.click()
+
+        driver.in_dialog(choose)
+        driver.key(Qt.Key.Key_E, CONTROL)
+        return (tmp_path / name).read_text()
+
+    driver.session.show_project(example("arm"))
+    driver.wait_for_blends()
+    near, far = (write("row", name, "0 0.3 1", gap, 0.1) for name, gap in (("near.svg", 0), ("far.svg", 50)))
+    assert re.findall(r">(t = [^<]*)<", near) == ["t = 0", "t = 0.3", "t = 1"]
+    widths = [float(re.findall(r'width="([\d.]+)pt"', text)[0]) for text in (near, far)]
+    assert widths[1] - widths[0] == pytest.approx(100)
+    fine, rough = (
+        write("animation", name, "", 0, share) for name, share in (("fine.svg", 0.02), ("rough.svg", 5))
+    )
+    assert len(fine) > len(rough)
+
+
+@pytest.mark.parametrize(
+    ("language", "text", "times"),
+    [
+        ("en", "", ()),
+        ("en", " 0, .25  0.5;1 ", (0, 0.25, 0.5, 1)),
+        ("de", "0 0,25; 0.5 1", (0, 0.25, 0.5, 1)),
+        ("en", "0 1.5", None),
+        ("de", "nan", None),
+    ],
+)
+def test_times_are_read_as_the_language_writes_them(
+    driver: Driver, language: str, text: str, times: tuple[float, ...] | None
+) -> None:
+    field = TimesField(driver.window)
+    field.setLocale(QLocale(language))
+    field.setText(text)
+    assert field.times == times
+
+
+def _number(dialog: QWidget, name: str) -> QDoubleSpinBox:
+    return next(field for field in dialog.findChildren(QDoubleSpinBox) if field.accessibleName() == name)
 
 
 def _exporting(driver: Driver, row: int, path: Path):  # type: ignore[no-untyped-def]
