@@ -2194,7 +2194,7 @@
     </message>
     <message>
         <source>At t&amp;hese times</source>
-        <translation>&amp;Zu diesen Zeiten</translation>
+        <translation>Zu d&amp;iesen Zeiten</translation>
     </message>
     <message>
         <source>&amp;Time t</source>
@@ -2693,15 +2693,15 @@
     <name>MotionFields</name>
     <message>
         <source> s</source>
-        <translation type="unfinished"> s</translation>
+        <translation> s</translation>
     </message>
     <message>
         <source>Back and forth</source>
-        <translation type="unfinished">Hin und her</translation>
+        <translation>Hin und her</translation>
     </message>
     <message>
         <source>Of formats that are made of pictures</source>
-        <translation type="unfinished">Bei Formaten aus Einzelbildern</translation>
+        <translation>Bei Formaten aus Einzelbildern</translation>
     </message>
     <message>
         <source> %</source>
@@ -2709,15 +2709,15 @@
     </message>
     <message>
         <source>How far vertices may stray between keys of SVG and Lottie, of the box of all frames</source>
-        <translation>Wie weit Ecken zwischen Schlüsseln von SVG und Lottie abweichen dürfen, vom Rechteck um alle Bilder</translation>
+        <translation>Wie weit Eckpunkte zwischen Schlüsseln von SVG und Lottie abweichen dürfen, vom Rechteck um alle Bilder</translation>
     </message>
     <message>
         <source>&amp;Duration</source>
-        <translation type="unfinished">&amp;Dauer</translation>
+        <translation>&amp;Dauer</translation>
     </message>
     <message>
         <source>Pictures a &amp;second</source>
-        <translation type="unfinished">Bilder je &amp;Sekunde</translation>
+        <translation>Bilder je &amp;Sekunde</translation>
     </message>
     <message>
         <source>T&amp;olerance</source>
