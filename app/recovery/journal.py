@@ -5,6 +5,7 @@ import faulthandler
 import os
 from collections.abc import Iterator
 from datetime import datetime
+from io import FileIO
 from pathlib import Path
 
 from app.recovery.places import state_folder
@@ -31,19 +32,24 @@ def log_fault(text: str) -> Path | None:
 def crashes_logged() -> Iterator[None]:
     """Have crashes of Qt and the like leave the calls of all threads in a file; without a disk, nowhere."""
     try:
-        stream = _log(CRASHES).open("a", encoding="utf-8")
+        stream = _log(CRASHES).open("ab", buffering=0)
     except OSError:
         yield
         return
     with stream:
-        stream.write(f"{_now()}, process {os.getpid()} begins; what follows without an end is a crash\n")
-        stream.flush()
+        _note(stream, "begins; what follows without an end is a crash")
         faulthandler.enable(stream)
         try:
             yield
         finally:
             faulthandler.disable()
-            stream.write(f"{_now()}, process {os.getpid()} ends\n")
+            _note(stream, "ends")
+
+
+def _note(stream: FileIO, what: str) -> None:
+    """Write down what the program does, where the disk has room for it."""
+    with contextlib.suppress(OSError):
+        stream.write(f"{_now()}, process {os.getpid()} {what}\n".encode())
 
 
 def _log(name: str) -> Path:

@@ -99,7 +99,8 @@ class Keeper(QObject):
     def _put(self, record: Record) -> None:
         former = self._error
         try:
-            self._place = self._place or Place.new()
+            if self._place is None or not self._place.held:
+                self._place = Place.new()
             write_record(self._place.path, record)
             self._error = None
         except StarskelError as error:

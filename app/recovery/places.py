@@ -8,7 +8,7 @@ from uuid import uuid4
 from PySide6.QtCore import QLockFile, QStandardPaths
 
 from app.recovery.record import Record, read_record
-from starskel.errors import StarskelError
+from starskel.errors import InvalidFile, StarskelError, told
 from starskel.files.disk import clear_leftovers, made_folder
 
 ENDING = ".json"
@@ -26,7 +26,8 @@ class Place:
 
     def __init__(self, path: Path) -> None:
         self.path = path
-        self._lock = QLockFile(str(path.with_suffix(".lock")))
+        self._lock_path = path.with_suffix(".lock")
+        self._lock = QLockFile(str(self._lock_path))
         self._lock.setStaleLockTime(
             0
         )  # however old: a lock ends with its program, of which Qt keeps the number
@@ -38,11 +39,20 @@ class Place:
         Raises
         ------
         InvalidFile
-            If the state folder cannot be made.
+            If the state folder cannot be made, or nothing be written there.
         """
         place = cls(made_folder(_folder()) / f"{uuid4().hex}{ENDING}")
-        place.claim()
+        if not place.claim():
+            raise InvalidFile(
+                told("nothing can be written in {path}", path=place.path.parent),
+                told("make room on its disk, and let files be written there"),
+            )
         return place
+
+    @property
+    def held(self) -> bool:
+        """Whether the place is still there and held; it is not where its folder was removed."""
+        return self._lock_path.exists()
 
     def claim(self) -> bool:
         """Hold the place; False where another window does."""

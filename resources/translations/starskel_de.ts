@@ -827,6 +827,14 @@
         <source>show at least one of them</source>
         <translation>mindestens eines von ihnen einblenden</translation>
     </message>
+    <message>
+        <source>nothing can be written in {path}</source>
+        <translation>in {path} kann nichts geschrieben werden</translation>
+    </message>
+    <message>
+        <source>make room on its disk, and let files be written there</source>
+        <translation>schaffen Sie Platz auf dem Datenträger, und lassen Sie das Schreiben dort zu</translation>
+    </message>
 </context>
 <context>
     <name>AboutDialog</name>

@@ -6,7 +6,7 @@ from contextlib import contextmanager
 
 import shiboken6
 from PySide6.QtCore import QCoreApplication, QEvent, QThread, QTimer
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 
 
 def left_alive() -> list[str]:
@@ -25,14 +25,17 @@ def left_alive() -> list[str]:
 
 @contextmanager
 def every_dialog_answered(patience: int) -> Iterator[None]:
-    """Close dialogs that are open after so many milliseconds, and fail: a test would wait for ever."""
+    """Close dialogs that have been open for so many milliseconds, and fail: a test would wait for ever."""
     closed: list[str] = []
+    before: QWidget | None = None
 
     def close() -> None:
+        nonlocal before
         dialog = QApplication.activeModalWidget()
-        if dialog is not None:
+        if dialog is not None and dialog is before:
             closed.append(f"{type(dialog).__name__} {dialog.windowTitle()!r}")
             dialog.close()
+        before = dialog
 
     timer = QTimer(interval=patience)
     timer.timeout.connect(close)

@@ -1,5 +1,5 @@
 import pytest
-from PySide6.QtCore import QThread
+from PySide6.QtCore import QThread, QTimer
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 from tests.app.leftovers import every_dialog_answered, left_alive
@@ -27,3 +27,12 @@ def test_a_dialog_that_nobody_answers_is_closed_and_fails_the_test(qapp) -> None
     with pytest.raises(AssertionError, match=r"nobody answered.*Well"), every_dialog_answered(50):
         question.exec()
     question.deleteLater()
+
+
+def test_dialogs_that_are_answered_one_after_another_fail_nothing(qapp) -> None:  # type: ignore[no-untyped-def]
+    with every_dialog_answered(50):
+        for _ in range(8):
+            question = QMessageBox()
+            QTimer.singleShot(30, question.accept)
+            question.exec()
+            question.deleteLater()
