@@ -29,14 +29,16 @@ def run(arguments: Namespace) -> int:
         journal.drop(_outdated(journal, keys, arguments.retry))
         pending = [job for job in keys.values() if job.key not in journal.outcomes]
         _work(arguments, methods, pending, journal)
-        page = summary_page(journal.outcomes.values(), methods)
-        write_bytes(arguments.output / "index.html", page.encode())
-        failed = [key for key, outcome in journal.outcomes.items() if outcome.error]
-        counts = {"pairs": len(journal.outcomes), "done_now": len(pending), "failed": len(failed)}
+        outcomes = [journal.outcomes[key] for key in keys]
+        gone = len(journal.outcomes) - len(outcomes)
+        write_bytes(arguments.output / "index.html", summary_page(outcomes, methods).encode())
+    failed = sum(bool(outcome.error) for outcome in outcomes)
+    counts = {"pairs": len(outcomes), "done_now": len(pending), "failed": failed, "gone": gone}
     if arguments.json:
         print(document_text({"results": str(arguments.output / RESULTS), **counts}), end="")
     else:
-        print(f"{arguments.output / 'index.html'}: {counts['pairs']} pairs, {counts['failed']} failed")
+        besides = f"; results of {gone} more that are no longer there" if gone else ""
+        print(f"{arguments.output / 'index.html'}: {counts['pairs']} pairs, {failed} failed{besides}")
     return FAILED if failed else 0
 
 

@@ -1,8 +1,8 @@
 """The journal of a batch: a line for each finished job, on the disk before the next one counts."""
 
-import contextlib
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from types import TracebackType
 
@@ -38,25 +38,31 @@ class Journal:
     def __init__(self, folder: Path, terms: Terms) -> None:
         self._folder = made_folder(folder)
         self._path = folder / RESULTS
-        self._check(terms)
+        self._terms = terms
         self.outcomes: dict[str, Outcome] = {}
 
     def __enter__(self) -> "Journal":
-        self._lock = _locked(self._folder)
+        with ExitStack() as held:
+            held.enter_context(_locked(self._folder))
+            self._check()
+            self._read()
+            self._stream = self._path.open("ab")
+            self._held = held.pop_all()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        with self._held:
+            self._stream.close()
+
+    def _read(self) -> None:
         content = self._path.read_bytes() if self._path.exists() else b""
         whole = content[: content.rfind(b"\n") + 1]
         outcomes = [_outcome(self._path, number, line) for number, line in enumerate(whole.splitlines(), 1)]
         self.outcomes = {outcome.key: outcome for outcome in outcomes}
         if whole != content or len(self.outcomes) < len(outcomes):
             self._rewrite()
-        self._stream = self._path.open("ab")
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self._stream.close()
-        self._lock()
 
     def add(self, outcome: Outcome) -> None:
         """Keep an outcome; afterwards it outlives a failure of the power."""
@@ -76,13 +82,13 @@ class Journal:
     def _rewrite(self) -> None:
         write_bytes(self._path, b"".join(map(_line, self.outcomes.values())))
 
-    def _check(self, terms: Terms) -> None:
+    def _check(self) -> None:
         path = self._folder / "batch.json"
         if not path.exists():
-            write_document(path, terms)
+            write_document(path, self._terms)
             return
         known = read_document(path, Terms)
-        if known != terms:
+        if known != self._terms:
             raise InvalidFile(
                 f"{self._folder} holds a batch by {', '.join(known.methods)} at {known.frames} frames",
                 "give the same methods and frames, or another folder",
@@ -100,24 +106,22 @@ def _outcome(path: Path, number: int, line: bytes) -> Outcome:
         raise InvalidFile(f"{path}: line {number} is damaged: {error}", "delete this line") from error
 
 
-def _locked(folder: Path) -> Callable[[], None]:
-    """Take the folder for this process, until the answer is called or the process ends."""
+@contextmanager
+def _locked(folder: Path) -> Iterator[None]:
+    """Take the folder for this process, until it is left or the process ends.
+
+    The file that stands for it stays: were it removed, another process might hold it, and a third a new one.
+    """
     try:
         import fcntl  # noqa: PLC0415 -- not on every system; elsewhere nothing is locked
     except ImportError:
-        return lambda: None
-    stream = (folder / ".lock").open("wb")
-    try:
-        fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError as error:
-        stream.close()
-        raise InvalidFile(
-            f"another batch is writing to {folder}", "wait for it, or give another folder"
-        ) from error
-
-    def release() -> None:
-        with contextlib.suppress(OSError):
-            (folder / ".lock").unlink()
-        stream.close()
-
-    return release
+        yield
+        return
+    with (folder / ".lock").open("wb") as stream:
+        try:
+            fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError as error:
+            raise InvalidFile(
+                f"another batch is writing to {folder}", "wait for it, or give another folder"
+            ) from error
+        yield

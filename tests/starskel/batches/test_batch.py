@@ -17,6 +17,7 @@ import starskel
 from starskel.cli import main
 from starskel.command.batches import cluster, processes
 from starskel.command.batches.jobs import jobs_of
+from starskel.command.batches.journal import FORMAT, Journal, Terms
 from starskel.command.batches.work import Task
 from starskel.errors import InvalidFile
 from starskel.files.pairs import ShapePair, write_pairs
@@ -89,6 +90,45 @@ def test_a_file_that_has_changed_is_measured_again():
     batch("in")
     assert [line["digest"] for line in results()] != [line["digest"] for line in first]
     assert len(results()) == 3
+
+
+def test_results_of_pairs_that_are_gone_stay_and_are_not_counted(capsys):
+    write("in", 3)
+    write("in", 2, "more.json")
+    batch("in")
+    document = json.loads(Path("in/more.json").read_text())
+    document["pairs"][0]["p"][1] = document["pairs"][0]["p"][0]
+    Path("in/more.json").write_text(json.dumps(document))
+    assert batch("in") == 2
+    Path("in/more.json").unlink()
+    capsys.readouterr()
+    assert batch("in", "--json") == 0
+    counts = json.loads(capsys.readouterr().out)
+    assert (counts["pairs"], counts["done_now"], counts["failed"], counts["gone"]) == (3, 0, 0, 2)
+    assert len(results()) == 5
+    page = Path("out/index.html").read_text()
+    assert "3 pairs, 0 failures" in page
+    assert "more.json" not in page
+    assert batch("in") == 0
+    assert "3 pairs, 0 failed; results of 2 more" in capsys.readouterr().out
+
+
+def test_one_batch_at_a_time_writes_to_a_folder_and_a_damaged_line_keeps_no_lock(capsys):
+    write("in", 1)
+    batch("in")
+    lines = Path("out/results.jsonl")
+    whole = lines.read_bytes()
+    lines.write_bytes(b"{}\n")
+    terms = Terms(FORMAT, ["vertex"], 11)
+    held = Journal(Path("out"), terms)
+    with pytest.raises(InvalidFile, match="line 1 is damaged"):
+        held.__enter__()
+    lines.write_bytes(whole)
+    with Journal(Path("out"), terms):
+        assert batch("in") == 2
+        assert "another batch is writing to out" in capsys.readouterr().err
+    assert batch("in") == 0
+    assert lines.read_bytes() == whole
 
 
 def test_failures_are_named_the_others_go_on_and_failures_can_be_tried_again(capsys):
