@@ -4,7 +4,7 @@ What is asked for is a callable that gets a `Task`: it reports how far it is, an
 runs in a thread of its own, so it holds frozen values and nothing that the window may change.
 """
 
-import traceback
+import logging
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -57,7 +57,7 @@ class _Runner(QObject):
             return
         except Exception as error:  # whatever it is, the window shows it; the thread lives on
             if not isinstance(error, StarskelError):
-                traceback.print_exception(error)
+                logging.getLogger(__name__).error("an errand", exc_info=error)
             outcome = Outcome(error=error)
         self.done.emit(number, outcome)
 

@@ -1,6 +1,6 @@
 """A request being worked off: what its methods share is computed once."""
 
-import traceback
+import logging
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
@@ -177,5 +177,5 @@ class Job:
 
 def _failure(method: str, error: Exception) -> Failure:
     if not isinstance(error, StarskelError):
-        traceback.print_exception(error)
+        logging.getLogger(__name__).error("blending by %s", method, exc_info=error)
     return Failure(method, error)

@@ -2,6 +2,7 @@
 
 import contextlib
 import faulthandler
+import logging
 import os
 from collections.abc import Iterator
 from datetime import datetime
@@ -26,6 +27,26 @@ def log_fault(text: str) -> Path | None:
     except OSError:
         return None
     return path
+
+
+class _Journal(logging.Handler):
+    """Writes down what is told to the log of the program."""
+
+    def emit(self, record: logging.LogRecord) -> None:
+        log_fault(self.format(record))
+
+
+@contextlib.contextmanager
+def faults_logged() -> Iterator[None]:
+    """Have faults that were caught where they are shown in passing be printed and written down."""
+    log, handlers = logging.getLogger("app"), (logging.StreamHandler(), _Journal())
+    for handler in handlers:
+        log.addHandler(handler)
+    try:
+        yield
+    finally:
+        for handler in handlers:
+            log.removeHandler(handler)
 
 
 @contextlib.contextmanager

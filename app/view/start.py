@@ -7,7 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QLocale, Qt
 from PySide6.QtWidgets import QApplication
 
-from app.recovery.journal import crashes_logged
+from app.recovery.journal import crashes_logged, faults_logged
 from app.session import Session
 from app.view.beginning import begun
 from app.view.canvas.clipboard import leave_clipboard
@@ -29,7 +29,7 @@ def run(path: Path | None) -> int:
     application.setOrganizationName("starskel")
     speak(application, spoken(chosen(), QLocale.system()))
     apply_theme(application, _theme(application))
-    with crashes_logged(), collecting_here():
+    with crashes_logged(), faults_logged(), collecting_here():
         window = MainWindow(Session())
         Faults(window, window.recovering.keeper).watch()
         window.convenience.restore()

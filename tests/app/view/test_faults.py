@@ -127,3 +127,24 @@ faulthandler._sigsegv()
     assert "Segmentation fault" in log
     assert "in act" in log
     assert len(list((tmp_path / "starskel" / "recovery").glob("*.json"))) == 1
+
+
+def test_a_fault_in_a_blend_is_shown_in_its_panel_and_written_down(tmp_path: Path) -> None:
+    done = program(
+        tmp_path,
+        """
+import app.compute.job
+def fail(*_, **__):
+    raise ZeroDivisionError("in a blend")
+app.compute.job.blend = fail
+def close():
+    assert "ZeroDivisionError" in window.panels.panel("stitched").view.message
+    window.close()
+window.session.busy_changed.connect(lambda busy: busy or QTimer.singleShot(0, close))
+window.session.recompute()
+""",
+    )
+    assert done.returncode == 0, done.stderr
+    for told in (done.stderr, (tmp_path / "starskel" / "faults.log").read_text()):
+        assert "ZeroDivisionError: in a blend" in told
+        assert "blending by stitched" in told
