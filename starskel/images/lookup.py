@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.images.pyramid import Pyramid
-from starskel.images.spans import Spans
 from starskel.polar import as_complex
 from starskel.predicates import Complex, Floats, Indices
 
@@ -92,9 +91,3 @@ def batches(ends: Indices) -> Iterator[slice]:
         stop = max(start + 1, int(np.searchsorted(ends, done + BATCH, side="right")))
         yield slice(start, stop)
         start = stop
-
-
-def level_places(spans: Spans, levels: Indices, column: int) -> tuple[Floats, Floats]:
-    """Give where runs start in a level each, and their steps, in its texels, border counted, from middles."""
-    scale = 0.5**levels
-    return spans.start[column] * scale + 0.5, spans.step[column] * scale

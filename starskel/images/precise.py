@@ -85,7 +85,7 @@ def _mixed(layer: Layer, levels: Floats, x: Floats, y: Floats) -> Colours:
 
 def _bilinear(layer: Layer, levels: Indices, x: Floats, y: Floats) -> Colours:
     """Look up in a level each; places beyond its border are held at it."""
-    pyramid, scale = layer.pyramid, 0.5**levels
+    pyramid, scale = layer.pyramid, layer.pyramid.scales[levels]
     strides, heights = pyramid.strides[levels], pyramid.heights[levels]
     x, y = (x * scale + 0.5).clip(0, strides - 1), (y * scale + 0.5).clip(0, heights - 1)
     column = np.minimum(x.astype(np.intp), strides - 2)

@@ -63,6 +63,11 @@ class Pyramid:
         """How many levels there are."""
         return len(self.offsets)
 
+    @cached_property
+    def scales(self) -> Floats:
+        """How large each level is, as a part of the first: a table, as powers take as long as looking up."""
+        return np.asarray(0.5 ** np.arange(self.levels))
+
 
 def packed(colours: Texels) -> Packed:
     """Give (p, 4) colours from 0 to 255 as (p,) numbers of four channels of 16 bits."""

@@ -53,21 +53,21 @@ def spans_of(places: Floats, triangles: Indices, values: Floats, size: tuple[int
     left, right = _halves(places, triangles)
     rows = np.ceil(places[:, 1] - 0.5).clip(0, height).astype(np.intp)
     begin = np.maximum(rows[left[0]], rows[right[0]])
-    counts = np.minimum(rows[left[1]], rows[right[1]]) - begin
-    owners = np.repeat(np.arange(len(counts)), counts)
-    row = np.arange(len(owners)) + (begin - np.cumsum(counts) + counts)[owners]
-    shares = [_shares(places[:, 1], side, owners, row + 0.5) for side in (left, right)]
-    x0, x1 = (_between(places[:, 0], *both, owners) for both in ((left, shares[0]), (right, shares[1])))
+    times = np.minimum(rows[left[1]], rows[right[1]]) - begin
+    owners = np.repeat(np.arange(len(times)), times)
+    row = np.arange(len(owners)) + np.repeat(begin - np.cumsum(times) + times, times)
+    near, far = (_shares(places[:, 1], side, times, row + 0.5) for side in (left, right))
+    x0, x1 = _between(places[:, 0], left, near, times), _between(places[:, 0], right, far, times)
     first = np.ceil(x0 - 0.5).clip(0, width).astype(np.intp)
     counts = np.ceil(x1 - 0.5).clip(0, width).astype(np.intp) - first
     kept = np.flatnonzero(counts > 0)
     owners, row, first, x0, x1 = owners[kept], row[kept], first[kept], x0[kept], x1[kept]
-    near, far = shares[0][kept], shares[1][kept]
+    near, far, times = near[kept], far[kept], np.bincount(owners, minlength=len(times))
     start, step = (np.empty((values.shape[1], len(kept))) for _ in range(2))
     ahead, across = first + 0.5 - x0, 1 / (x1 - x0)
     for number, value in enumerate(values.T):
-        begin_value = _between(value, left, near, owners)
-        step[number] = (_between(value, right, far, owners) - begin_value) * across
+        begin_value = _between(value, left, near, times)
+        step[number] = (_between(value, right, far, times) - begin_value) * across
         start[number] = begin_value + ahead * step[number]
     return Spans(owners // 2, row * width + first, counts[kept], start, step)
 
@@ -92,14 +92,14 @@ def _halves(places: Floats, triangles: Indices) -> tuple[Sides, Sides]:
     return left, right
 
 
-def _shares(y: Floats, sides: Sides, owners: Indices, rows: Floats) -> Floats:
-    """Give where the sides of owners cross rows, as shares of the way down."""
+def _shares(y: Floats, sides: Sides, times: Indices, rows: Floats) -> Floats:
+    """Give where sides, each so many times, cross rows, as shares of the way down."""
     upper, lower = y[sides[0]], y[sides[1]]
     height = np.where(lower > upper, lower - upper, 1.0)
-    return np.asarray((rows - upper[owners]) / height[owners])
+    return np.asarray((rows - np.repeat(upper, times)) / np.repeat(height, times))
 
 
-def _between(value: Floats, sides: Sides, shares: Floats, owners: Indices) -> Floats:
-    """Give a value at shares of the sides of owners."""
+def _between(value: Floats, sides: Sides, shares: Floats, times: Indices) -> Floats:
+    """Give a value at shares of sides, of each so many."""
     start = value[sides[0]]
-    return np.asarray(start[owners] + shares * (value[sides[1]] - start)[owners])
+    return np.asarray(np.repeat(start, times) + shares * np.repeat(value[sides[1]] - start, times))
