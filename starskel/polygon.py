@@ -7,6 +7,7 @@ import numpy as np
 import shapely
 from numpy.typing import ArrayLike, NDArray
 
+from starskel.arguments import whole_number
 from starskel.errors import InvalidPolygon, told
 from starskel.outline import signed_areas
 from starskel.predicates import LARGEST, ROUNDING, Floats, Indices, folds_back, orientation, segments_meet
@@ -83,8 +84,15 @@ class Polygon:
         return float(signed_areas(self.vertices))
 
     def vertex_of(self, given: int) -> int:
-        """Give the index in `vertices` of the point that was given at index `given`."""
-        return int(self._order[given])  # turning round is its own inverse
+        """Give the index in `vertices` of the point that was given at index `given`.
+
+        Raises
+        ------
+        StarskelError
+            If there is no such point.
+        """
+        point = whole_number(given, "a point of the polygon", 0, len(self) - 1)
+        return int(self._order[point])  # turning round is its own inverse
 
 
 def crossing_edges(ring: Floats) -> NDArray[np.intp]:
@@ -144,12 +152,10 @@ def meeting_places(ring: Floats, pairs: NDArray[np.intp]) -> Floats:
 
 
 def _as_rows(points: ArrayLike | shapely.Geometry | Polygon) -> Floats:
-    if isinstance(points, shapely.Polygon) and points.interiors:
-        raise InvalidPolygon("the shapely Polygon has holes", "give its exterior alone")
     if isinstance(points, Polygon):
         return points.vertices.copy()
     if isinstance(points, shapely.Geometry):
-        points = shapely.get_coordinates(points)
+        points = _coordinates(points)
     try:
         given = np.asarray(points)
         if given.dtype.kind in "cSUMm":  # numpy would read strings and drop imaginary parts
@@ -166,6 +172,16 @@ def _as_rows(points: ArrayLike | shapely.Geometry | Polygon) -> Floats:
             told("a polygon of {count} points", count=len(rows)), told("give at least 3 vertices")
         )
     return rows
+
+
+def _coordinates(geometry: shapely.Geometry) -> Floats:
+    if not isinstance(geometry, shapely.Polygon | shapely.LinearRing):
+        raise InvalidPolygon(
+            f"a shapely {geometry.geom_type} is no polygon", "give a shapely Polygon or LinearRing"
+        )
+    if isinstance(geometry, shapely.Polygon) and geometry.interiors:
+        raise InvalidPolygon("the shapely Polygon has holes", "give its exterior alone")
+    return np.asarray(shapely.get_coordinates(geometry))
 
 
 def _check_numbers(rows: Floats) -> None:

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from starskel.errors import Cancelled
+from starskel.errors import Cancelled, StarskelError
 
 Progress = Callable[[float], None]
 ShouldStop = Callable[[], bool]
@@ -21,12 +21,22 @@ class Task:
         Asked often; where it answers True the work ends with `Cancelled`.
     start, end : float
         The share of the whole that this stretch stands for.
+
+    Raises
+    ------
+    StarskelError
+        If what is to be called cannot be called.
     """
 
     progress: Progress | None = None
     should_stop: ShouldStop | None = None
     start: float = 0.0
     end: float = 1.0
+
+    def __post_init__(self) -> None:
+        for name, given in (("progress", self.progress), ("should_stop", self.should_stop)):
+            if given is not None and not callable(given):
+                raise StarskelError(f"{name} cannot be called", "give a function, or leave it out")
 
     def reach(self, fraction: float) -> None:
         """Report that this fraction of the stretch is done.

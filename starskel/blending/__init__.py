@@ -3,6 +3,9 @@
 METHODS = ("vertex", "edge-angle", "star-skeleton", "stitched", "rigid", "certified")
 """The methods by name, the simplest first."""
 
+USUAL = "stitched"
+"""The one that is taken where none is named."""
+
 COMPARED = ("stitched", "certified", "rigid", "star-skeleton", "edge-angle", "vertex")
 """The same in the order in which they are shown side by side: the usual one, then its rivals."""
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from starskel.arguments import finite
 from starskel.correspondence import Correspondence
 from starskel.decomposition.pieces import Decomposition
 from starskel.errors import StarskelError
@@ -126,12 +127,7 @@ def checked_times(ts: ArrayLike) -> Floats:
     StarskelError
         Where one is not a number from 0 to 1.
     """
-    try:
-        times = np.asarray(ts, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise StarskelError("the times are not numbers", "give numbers from 0 to 1") from None
-    if times.ndim != 1:
-        raise StarskelError(f"times of shape {times.shape}", "give a list of numbers from 0 to 1")
+    times = finite(ts, None, "the times")
     outside = times[~((times >= 0) & (times <= 1))]
     if len(outside):
         raise StarskelError(f"t = {outside[0]:g} is outside [0, 1]", "give numbers from 0 to 1")

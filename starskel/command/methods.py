@@ -3,13 +3,13 @@
 from collections.abc import Callable, Iterator, Sequence
 
 from starskel.blending import STEERED
-from starskel.blending.blend import blend
 from starskel.blending.frames import Blend
 from starskel.command.progress import Progress
 from starskel.correspondence import match
 from starskel.decomposition import decompose
 from starskel.decomposition.pieces import Decomposition
 from starskel.files.pairs import ShapePair
+from starskel.shapes.blend import blend
 
 
 def blends(

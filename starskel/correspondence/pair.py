@@ -6,6 +6,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from starskel.arguments import instance
+from starskel.errors import StarskelError
 from starskel.predicates import Floats, Indices
 
 
@@ -62,3 +64,18 @@ class Correspondence:
 
     def __len__(self) -> int:
         return len(self.source)
+
+
+def checked_pair(given: object) -> Correspondence:
+    """Give a pair of polygons.
+
+    Raises
+    ------
+    StarskelError
+        If it is none, or one of regions with holes.
+    """
+    mend = "give what match returns for two polygons"
+    pair = instance(given, Correspondence, "a pair of polygons", mend)
+    if len(pair.starts) > 1:
+        raise StarskelError("the pair is of regions with holes", mend)
+    return pair

@@ -1,11 +1,14 @@
 """Marks suggested from the shapes alone."""
 
+from starskel.arguments import whole_number
 from starskel.correspondence.marks import Mark
 from starskel.correspondence.match import PolygonLike, as_polygon
 from starskel.correspondence.proposal import proposed_marks
-from starskel.errors import StarskelError
 from starskel.outline import precedes
 from starskel.task import ShouldStop, Task
+
+MOST = 1_000_000
+"""No two outlines have so many salient vertices in common."""
 
 
 def suggest_marks(
@@ -42,7 +45,7 @@ def suggest_marks(
     InvalidPolygon
         Where the points form no simple polygon.
     StarskelError
-        If `count` is negative.
+        If `count` is no whole number, or negative.
     Cancelled
         If ``should_stop`` answered True.
 
@@ -54,8 +57,7 @@ def suggest_marks(
     >>> starskel.suggest_marks(straight, bent, count=3)
     [(0, 0), (2, 2)]
     """
-    if count < 0:
-        raise StarskelError(f"{count} marks cannot be suggested", "give 0 or more")
+    count = min(whole_number(count, "the count of marks", 0), MOST)
     task = Task(should_stop=should_stop)
     polygons = as_polygon(source, "source"), as_polygon(target, "target")
     task.reach(0)

@@ -4,7 +4,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from starskel.correspondence import Correspondence
+from starskel.arguments import choice, truth
+from starskel.correspondence import Correspondence, checked_pair
 from starskel.decomposition.board import Board
 from starskel.decomposition.canonical import Reading, canonical
 from starskel.decomposition.kernel import star_points, star_vertices
@@ -16,7 +17,7 @@ from starskel.decomposition.reduce import reduce
 from starskel.decomposition.rivals import by_rivals
 from starskel.decomposition.shape import shaped
 from starskel.decomposition.transfer import transfer
-from starskel.errors import NoDecomposition, StarskelError
+from starskel.errors import NoDecomposition
 from starskel.points import points_of
 from starskel.predicates import Floats
 from starskel.rings import Rings
@@ -60,7 +61,7 @@ def decompose(
     NoDecomposition
         If the algorithm needs Steiner vertices and they are not allowed.
     StarskelError
-        If there is no algorithm of that name.
+        If there is no algorithm of that name, or something else is no pair of polygons.
     Cancelled
         If `should_stop` answered True.
 
@@ -71,13 +72,13 @@ def decompose(
     >>> pair = starskel.match(hook, hook, marks=[(0, 0)])
     >>> decomposition = starskel.decompose(pair)
     >>> decomposition.pieces
-    ((0, 1, 6, 7), (1, 2, 3, 4, 5, 6))
+    ((7, 0, 1, 6), (1, 2, 3, 4, 5, 6))
     >>> decomposition.source_origins.tolist()
     [[2.75, 0.5], [5.5, 4.5]]
     """
-    if algorithm not in ALGORITHMS:
-        raise StarskelError(f"there is no algorithm {algorithm!r}", f"take one of {', '.join(ALGORITHMS)}")
-    tile = _minimal if algorithm == "minimal" else _convex
+    checked_pair(pair)
+    tile = _minimal if choice(algorithm, ALGORITHMS, "the algorithm") == "minimal" else _convex
+    steiner = truth(steiner, "steiner")
     return _decomposed(
         pair, lambda board, whole, task: tile(board, whole, steiner, task), Task(progress, should_stop)
     )

@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from starskel.arguments import point
 from starskel.correspondence import Correspondence
 from starskel.predicates import Floats
 
@@ -34,7 +35,7 @@ class Decomposition:
     >>> hook = [(0, 0), (6, 0), (6, 5), (3, 5), (3, 4), (5, 4), (5, 1), (0, 1)]
     >>> decomposition = starskel.decompose(starskel.match(hook, hook, marks=[(0, 0)]))
     >>> decomposition.source[list(decomposition.pieces[0])].tolist()
-    [[0.0, 0.0], [6.0, 0.0], [5.0, 1.0], [0.0, 1.0]]
+    [[0.0, 1.0], [0.0, 0.0], [6.0, 0.0], [5.0, 1.0]]
     >>> decomposition.piece_at((1, 0.5))
     0
     """
@@ -59,8 +60,14 @@ class Decomposition:
         )
 
     def piece_at(self, place: tuple[float, float]) -> int:
-        """Give the piece whose star origin is nearest to a place of the source."""
-        return int(np.hypot(*(self.source_origins - place).T).argmin())
+        """Give the piece whose star origin is nearest to a place of the source.
+
+        Raises
+        ------
+        StarskelError
+            If these are not two finite numbers.
+        """
+        return int(np.hypot(*(self.source_origins - point(place, "a place")).T).argmin())
 
 
 def edges_of(piece: Piece) -> list[tuple[int, int]]:

@@ -1,11 +1,11 @@
 """Measuring a blend."""
 
-import operator
 from collections.abc import Iterator
 from typing import overload
 
 import numpy as np
 
+from starskel.arguments import whole_number
 from starskel.blending.frames import Blend
 from starskel.blending.pieces import PieceBlend
 from starskel.clearance import clearance
@@ -21,6 +21,9 @@ from starskel.quality.report import Crossing, Report
 from starskel.quality.shape_report import ShapeReport, measure_shapes
 from starskel.shapes.shape_blend import ShapeBlend
 from starskel.task import Progress, ShouldStop, Task
+
+MOST_FRAMES = 100_000
+"""So many frames of 100 vertices take a gigabyte while they are measured."""
 
 _AT_ONCE = 1 << 15
 """So many points of frames are computed between two questions whether to stop."""
@@ -62,7 +65,7 @@ def measure(
     ----------
     blend : Blend or ShapeBlend
     frames : int
-        How many times, 2 or more.
+        How many times, from 2 to `MOST_FRAMES`.
     progress : callable, optional
         Called with the fraction done.
     should_stop : callable, optional
@@ -71,7 +74,7 @@ def measure(
     Raises
     ------
     StarskelError
-        If there are fewer frames, or they are no whole number, or the blend is none.
+        If these are too few frames, too many or no whole number, or the blend is none.
     Cancelled
         If ``should_stop`` answered True.
 
@@ -83,7 +86,7 @@ def measure(
     >>> report.simple, report.crossing_frames
     (True, ())
     """
-    times = np.linspace(0, 1, _checked_count(frames))
+    times = np.linspace(0, 1, whole_number(frames, "the number of frames", 2, MOST_FRAMES))
     task = Task(progress, should_stop)
     if isinstance(blend, ShapeBlend):
         return measure_shapes(blend, times, task)
@@ -122,16 +125,6 @@ def measure(
         how=blend.how,
         clearance=kept,
     )
-
-
-def _checked_count(frames: int) -> int:
-    try:
-        count = operator.index(frames)
-    except TypeError:
-        raise StarskelError(f"{frames!r} is no number of frames", "give a whole number, 2 or more") from None
-    if count < 2:
-        raise StarskelError(f"{count} frames cannot show a blend", "give at least 2")
-    return count
 
 
 def _looked_at(blend: Blend, times: Floats, task: Task) -> tuple[Floats, Distortion | None]:

@@ -1,28 +1,21 @@
-"""Blend two polygons or two shapes: of shapes every part by a method, joined by the meta-skeleton."""
+"""Blend two polygons or two shapes, matched or not."""
 
-from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from collections.abc import Iterable
 from typing import Any, overload
 
-import numpy as np
 import shapely
 
-from starskel.blending import METHODS
-from starskel.blending.blend import blend as blend_polygons
-from starskel.blending.blend import checked_turns
-from starskel.blending.frames import Blend, row_masses
-from starskel.correspondence import Correspondence, PolygonLike
+from starskel.arguments import items, truth
+from starskel.blending.blend import blend_pair, checked_turns, chosen_method
+from starskel.blending.frames import Blend
+from starskel.correspondence import Correspondence, PolygonLike, checked_pair
 from starskel.decomposition.pieces import Decomposition
-from starskel.errors import StarskelError, UnknownMethod
-from starskel.polar import as_complex
-from starskel.predicates import Complex
-from starskel.shapes.body import Manner, prepared
-from starskel.shapes.certified import CertifiedShapeBlend
-from starskel.shapes.correspondence import PartPair, ShapeCorrespondence
+from starskel.errors import StarskelError
+from starskel.shapes.body import Manner
+from starskel.shapes.correspondence import ShapeCorrespondence
 from starskel.shapes.given import Marks, Places
-from starskel.shapes.likeness import rotation_of
-from starskel.shapes.match import is_shape, match
-from starskel.shapes.meta_skeleton import Tree, tree_of
+from starskel.shapes.joining import blend_shapes
+from starskel.shapes.match import match
 from starskel.shapes.pairing import Link
 from starskel.shapes.shape import Shape, ShapeLike
 from starskel.shapes.shape_blend import ShapeBlend
@@ -99,7 +92,7 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     source: Any,
     target: Any = None,
     marks: Any = (),
-    method: str = "stitched",
+    method: str | None = None,
     *,
     pairing: Iterable[Link] | None = None,
     places: Places | None = None,
@@ -114,8 +107,8 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
 ) -> Blend | ShapeBlend:
     """Prepare a blend: of a pair, ``blend(pair, method=...)``, or of two polygons or shapes and marks.
 
-    Polygons are blended as by `starskel.blending.blend.blend`. Of shapes every part is blended by the method,
-    and a meta-skeleton joins the parts, so that they move together (paper, section 4).
+    Of shapes every part is blended by the method, and a meta-skeleton joins the parts, so that they move
+    together (paper, section 4).
 
     Parameters
     ----------
@@ -125,11 +118,13 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     marks, pairing, places
         As for `match`.
     method : str
-        One of `METHODS`. A "certified" blend of shapes is proven for all rings together.
+        One of `METHODS`, by default "stitched"; behind a pair it may stand in the target's place. A
+        "certified" blend of shapes is proven for all rings together.
     joined : bool
         False interpolates each part of a shape separately, for comparison (paper, figure 9).
     decomposition : Decomposition, optional
-        That of the pair, where it is known already; for polygons only.
+        That of the pair, where it is known already, else it is computed if the method needs it; for polygons
+        only.
     root : int, optional
         The piece that is the skeleton's root, else the one with the most neighbours; for polygons only.
     roots : mapping from pairs of outlines to (x, y), optional
@@ -137,9 +132,9 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
         star-skeleton.
     turns : int
         Whole turns of the whole besides, counter-clockwise: of shapes by all methods, of polygons by
-        "star-skeleton".
+        "star-skeleton", while the others leave them out of account.
     settled : bool
-        False gives a blend sooner, where the method goes on improving one.
+        False gives a blend sooner, where the method goes on improving one: `Blend.improvements` goes on.
     progress : callable, optional
         Called with the fraction done.
     should_stop : callable, optional
@@ -152,8 +147,8 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     InvalidPolygon, InvalidMarks
         As by `match`.
     StarskelError
-        If turns is no int; where a region is too narrow for bridges to its holes; by "certified" where rings
-        meet on the way.
+        If something that is given is of a wrong kind; where a region is too narrow for bridges to its holes;
+        by "certified" where rings meet on the way.
     Cancelled
         If ``should_stop`` answered True.
 
@@ -179,107 +174,43 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     >>> [rows.shape for rows in starskel.blend(ring, starskel.Shape([straight])).at(0.5)]
     [(6, 2), (4, 2)]
     """
-    if not (isinstance(source, ShapeCorrespondence) or is_shape(source) or is_shape(target)):
-        if pairing is not None or places is not None or roots is not None or not joined:
-            raise StarskelError("two polygons need no pairing and are not joined", "give a Shape of each")
-        return blend_polygons(
-            source,
-            target,
-            marks,
-            method,
-            decomposition=decomposition,
-            root=root,
-            turns=turns,
-            settled=settled,
-            progress=progress,
-            should_stop=should_stop,
+    task = Task(progress, should_stop)
+    chosen = chosen_method(target, method)
+    turns, settled, joined = checked_turns(turns), truth(settled, "settled"), truth(joined, "joined")
+    task.reach(0)
+    pair = _pair(source, None if isinstance(target, str) else target, marks, pairing, places, should_stop)
+    made: Blend | ShapeBlend
+    if isinstance(pair, Correspondence):
+        if roots is not None or not joined:
+            raise StarskelError("two polygons have one root, and are not joined", "give a Shape of each")
+        made = blend_pair(
+            pair, chosen, decomposition=decomposition, root=root, turns=turns, settled=settled, task=task
         )
-    if decomposition is not None or root is not None:
+    elif decomposition is None and root is None:
+        manner = Manner(chosen, settled)
+        made = blend_shapes(pair, manner, {} if roots is None else roots, turns if joined else None, task)
+    else:
         raise StarskelError(
             "a shape has several decompositions and roots", "give places of roots, or leave them to the blend"
         )
-    chosen = target if isinstance(target, str) else method
-    if chosen not in METHODS:
-        raise UnknownMethod(f'there is no method "{chosen}"', "choose one of " + ", ".join(METHODS))
-    if isinstance(source, ShapeCorrespondence):
-        given = target is not None and not isinstance(target, str)
-        if given or marks or pairing is not None or places is not None:
-            raise StarskelError("a pair has its target and its marks already", "give the pair alone")
-    else:
-        if target is None or isinstance(target, str):
-            raise StarskelError("the target is missing", "give two shapes, or a pair made by match")
-        source = match(
-            source,
-            target,
-            marks,
-            pairing=pairing,
-            places=places,
-            should_stop=should_stop,
-        )
-    turns = checked_turns(turns)
-    task = Task(progress, should_stop)
-    task.reach(0)
-    known = _checked_roots(source, roots or {})
-    made = _prepare(source, Manner(chosen, settled), known, turns if joined else None, task)
     task.reach(1)
     return made
 
 
-def _checked_roots(pair: ShapeCorrespondence, roots: Places) -> Places:
-    outlines = [part.links[0] for part in pair.parts if not part.alone]
-    for link in roots:
-        if link not in outlines:
-            named = " or ".join(map(str, outlines)) or "none"
-            raise StarskelError(f"{link} is no pair of outlines, and has no root", f"give roots for {named}")
-    return roots
-
-
-def _prepare(
-    pair: ShapeCorrespondence, manner: Manner, roots: Places, turns: int | None, task: Task
-) -> ShapeBlend:
-    """Blend all parts; without a number of turns each by itself."""
-    method = manner.method
-    manner = replace(manner, settled=manner.settled or method == "certified")
-    parts, owners = _bodies(pair, method)
-    tree = None if turns is None else _tree(parts, owners, turns)
-    rotations = tree.rotations if tree is not None else np.zeros(len(parts))
-    bodies = []
-    for number, (part, rotation) in enumerate(zip(parts, rotations.tolist(), strict=True)):
-        share = task.part(0.9 * number / len(parts), 0.9 * (number + 1) / len(parts))
-        own = replace(manner, root=roots.get(part.links[0]))
-        bodies.append(prepared(part, own, rotation, share))
-    if method == "certified":
-        return CertifiedShapeBlend(pair, tuple(bodies), tree, task.part(0.9, 1))
-    return ShapeBlend(pair, method, tuple(bodies), tree)
-
-
-def _bodies(pair: ShapeCorrespondence, method: str) -> tuple[list[PartPair], list[int]]:
-    """Give what moves as one, and for each whether it belongs to another one, or -1.
-
-    Edges and angles know no inside: there holes move by themselves, on a link to their outline.
-    """
-    if method != "edge-angle":
-        return list(pair.parts), [-1] * len(pair.parts)
-    parts: list[PartPair] = []
-    owners: list[int] = []
-    for part in pair.parts:
-        owners += [-1, *[len(parts)] * (len(part.links) - 1)]
-        parts += part.by_rings()
-    return parts, owners
-
-
-def _tree(parts: Sequence[PartPair], owners: Sequence[int], turns: int) -> Tree:
-    outlines = [part.by_rings()[0].pair for part in parts]
-    places = np.array([_middles(pair) for pair in outlines]).T
-    rotations = [
-        None if part.alone else rotation_of(pair) for part, pair in zip(parts, outlines, strict=True)
-    ]
-    sizes = np.array(
-        [np.ptp(pair.source, axis=0).max() + np.ptp(pair.target, axis=0).max() for pair in outlines]
-    )
-    return tree_of(places, rotations, owners, sizes, turns)
-
-
-def _middles(pair: Correspondence) -> Complex:
-    weights = row_masses(pair)
-    return np.array([weights @ as_complex(pair.source), weights @ as_complex(pair.target)])
+def _pair(  # noqa: PLR0913, PLR0917 -- what match takes
+    source: Any,
+    target: Any,
+    marks: Any,
+    pairing: Iterable[Link] | None,
+    places: Places | None,
+    should_stop: ShouldStop | None,
+) -> Correspondence | ShapeCorrespondence:
+    """Give the pair to be blended, as it is given, or of what is given."""
+    if isinstance(source, Correspondence | ShapeCorrespondence):
+        mend = "give the pair alone"
+        if target is not None or items(marks, "the marks", mend) or not (pairing is places is None):
+            raise StarskelError("a pair has its target and its marks already", mend)
+        return source if isinstance(source, ShapeCorrespondence) else checked_pair(source)
+    if target is None:
+        raise StarskelError("the target is missing", "give source and target, or a pair made by match")
+    return match(source, target, marks, pairing=pairing, places=places, should_stop=should_stop)

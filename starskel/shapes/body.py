@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from starskel.blending import STEERED
-from starskel.blending.blend import blend
+from starskel.blending.blend import blend_pair
 from starskel.blending.frames import Blend, row_masses
 from starskel.blending.star_skeleton import StarSkeletonBlend
 from starskel.blending.vertex import VertexBlend
@@ -115,12 +115,4 @@ def _blend(pair: Correspondence, manner: Manner, task: Task) -> Blend:
     known = decompose_region(pair, task.part(0, 0.4)) if method in NEEDING_PIECES else None
     root = known.piece_at(manner.root) if known and manner.root and method == STEERED else None
     rest = task.part(0.4, 1)
-    return blend(
-        pair,
-        method=method,
-        decomposition=known,
-        root=root,
-        settled=manner.settled,
-        progress=rest.reach,
-        should_stop=task.should_stop,
-    )
+    return blend_pair(pair, method, decomposition=known, root=root, settled=manner.settled, task=rest)

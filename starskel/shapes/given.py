@@ -6,6 +6,7 @@ from functools import cached_property
 
 import shapely
 
+from starskel.arguments import items, mapping, point
 from starskel.correspondence.marks import Mark, as_marks
 from starskel.errors import InvalidMarks
 from starskel.polygon import Polygon
@@ -50,19 +51,21 @@ class Given:
         InvalidMarks
             Where they do not.
         """
-        lists = tuple(as_marks(own) for own in marks) or ((),) * len(shapes[0])
+        given = items(marks, "the marks of a shape", _MARKS, InvalidMarks)
+        lists = tuple(as_marks(own) for own in given) or ((),) * len(shapes[0])
         if len(lists) != len(shapes[0]):
             raise InvalidMarks(
                 f"{len(lists)} lists of marks for {len(shapes[0])} rings of the source",
-                "give one for each ring, empty where it has none",
+                _MARKS,
             )
-        for link in places:
+        known = as_places(places, "the place of a ring without a partner")
+        for link in known:
             if link not in links or None not in link:
                 raise InvalidMarks(
                     f"a place is given for {link}, which pairs no ring with None",
                     "give the pair as in the pairing",
                 )
-        return cls(shapes, links, lists, places)
+        return cls(shapes, links, lists, known)
 
     @cached_property
     def outlines(self) -> dict[Link, tuple[Polygon | None, Polygon | None]]:
@@ -157,6 +160,20 @@ class Given:
             "pair their outlines, or let one close to a point and the other grow from one",
         )
 
+
+def as_places(given: Places, what: str) -> Places:
+    """Give the places of pairs of rings, in coordinates.
+
+    Raises
+    ------
+    InvalidMarks
+        Where they are none.
+    """
+    known = mapping(given, "places", "give a mapping from pairs of rings to (x, y)", InvalidMarks)
+    return {link: point(place, what, InvalidMarks) for link, place in known.items()}
+
+
+_MARKS = "give a list of marks for each ring of the source, empty where it has none"
 
 _NAMES = ("source", "target")
 

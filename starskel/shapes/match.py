@@ -3,13 +3,11 @@
 from collections.abc import Iterable
 from typing import Any, overload
 
-import numpy as np
 import shapely
 
 from starskel.correspondence import Correspondence, PolygonLike
 from starskel.correspondence import match as match_polygons
 from starskel.errors import InvalidMarks, InvalidPolygon, told
-from starskel.polygon import Polygon
 from starskel.shapes.correspondence import ShapeCorrespondence
 from starskel.shapes.given import Given, Marks, Places
 from starskel.shapes.matching import matched_shapes
@@ -123,7 +121,7 @@ def match(  # noqa: PLR0913 -- all but the first three are seldom given
         task.reach(0)
         sides = _side(source, "source"), _side(target, "target")
         links = checked_pairing(*sides, suggest_pairing(*sides) if pairing is None else pairing)
-        return matched_shapes(Given.checked(sides, links, marks, places or {}), task)
+        return matched_shapes(Given.checked(sides, links, marks, {} if places is None else places), task)
     if pairing is not None or places is not None:
         raise InvalidMarks("two polygons need no pairing", "give a Shape of each")
     return match_polygons(source, target, marks, should_stop=should_stop)
@@ -138,8 +136,6 @@ def is_shape(given: object) -> bool:
 
 def _side(given: PolygonLike | ShapeLike, name: str) -> Shape:
     try:
-        if isinstance(given, Shape | Polygon | shapely.Geometry):
-            return Shape(given)
-        return Shape([given] if np.ndim(given[0]) == 1 else given)  # type: ignore[index]  # a ring, or rings
+        return Shape(given)
     except InvalidPolygon as error:
         raise error.within(told(name)) from None

@@ -7,6 +7,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from starskel.arguments import items, refusal
 from starskel.errors import InvalidMarks
 from starskel.predicates import Floats
 from starskel.shapes.shape import Shape, ShapeLike
@@ -97,7 +98,7 @@ def checked_pairing(source: Shape, target: Shape, pairing: Iterable[Link]) -> tu
         Where a link names a ring that is not there, pairs an outline with a hole or stands twice, or a ring
         is in no link, or a hole in several.
     """
-    links = tuple(_as_link(link) for link in pairing)
+    links = tuple(_as_link(link) for link in items(pairing, "the pairing", _PAIRS, InvalidMarks))
     for side, (name, shape) in enumerate((("source", source), ("target", target))):
         named = [ring for ring in (link[side] for link in links) if ring is not None]
         for ring in named:
@@ -141,11 +142,11 @@ def _as_link(given: Iterable[int | None]) -> Link:
     except (TypeError, ValueError):
         i, j = None, None
     if i is None and j is None:
-        raise InvalidMarks(
-            f"{given!r} pairs no rings",
-            "give (ring of the source, ring of the target), or None for one of them",
-        )
+        raise refusal(given, "a pair of rings", _PAIRS, InvalidMarks)
     return i, j
+
+
+_PAIRS = "give pairs (ring of the source, ring of the target), or None for one of them"
 
 
 def _holes(shapes: tuple[Shape, Shape], outline: Link) -> list[Link]:

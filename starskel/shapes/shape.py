@@ -1,11 +1,12 @@
 """Shape: several polygons, some of them holes of others."""
 
 from collections.abc import Iterable, Sequence
-from typing import TypeAlias, Union
+from typing import Any, TypeAlias, Union
 
 import numpy as np
 import shapely
 
+from starskel.arguments import items, whole_number
 from starskel.correspondence import PolygonLike
 from starskel.errors import InvalidPolygon, told
 from starskel.polygon import Polygon
@@ -25,7 +26,8 @@ class Shape:
     Parameters
     ----------
     rings : iterable of Polygon or (n, 2) array-like
-        The rings in any order, wound either way; or a shapely Polygon or MultiPolygon, a Polygon, a Shape.
+        The rings in any order, wound either way; or one ring alone, a shapely Polygon or MultiPolygon, or a
+        Shape.
 
     Attributes
     ----------
@@ -60,8 +62,7 @@ class Shape:
         elif isinstance(rings, shapely.Geometry):
             self.rings, self.outer = _of_parts(_shapely_parts(rings))
         else:
-            given = [rings] if isinstance(rings, Polygon) else list(rings)
-            self.rings = tuple(_ring(ring, number) for number, ring in enumerate(given))
+            self.rings = tuple(_ring(ring, number) for number, ring in enumerate(_listed(rings)))
             self.outer = _nested(self.rings)
         _check(self)
 
@@ -97,7 +98,14 @@ class Shape:
         return tuple(ring for ring, outer in enumerate(self.outer) if outer < 0)
 
     def holes(self, outline: int) -> tuple[int, ...]:
-        """Give the rings that are holes of the ring numbered `outline`."""
+        """Give the rings that are holes of the ring numbered `outline`.
+
+        Raises
+        ------
+        StarskelError
+            If there is no such ring.
+        """
+        outline = whole_number(outline, "a ring of the shape", 0, len(self) - 1)
         return tuple(ring for ring, outer in enumerate(self.outer) if outer == outline)
 
     @property
@@ -116,12 +124,32 @@ class Shape:
         return shapely.MultiPolygon([self.part(outline) for outline in self.outlines])
 
 
+_PARTS = "give for each part its outline and a list of its holes"
+
+
+def _listed(rings: Polygon | Iterable[PolygonLike]) -> tuple[PolygonLike, ...]:
+    """Give rings as a list; a polygon, or its points, are one ring."""
+    if isinstance(rings, Polygon):
+        return (rings,)
+    given = items(rings, "the rings of a shape", "give a list of rings, or a Shape", InvalidPolygon)
+    return (given,) if given and _is_point(given[0]) else given
+
+
+def _is_point(given: PolygonLike) -> bool:
+    try:
+        return np.ndim(given) == 1  # type: ignore[arg-type]
+    except ValueError:  # a ragged list
+        return False
+
+
 def _of_parts(parts: Iterable[Part]) -> tuple[tuple[Polygon, ...], tuple[int, ...]]:
     rings: list[Polygon] = []
     outer: list[int] = []
-    for outline, holes in parts:
+    for part in items(parts, "the parts", _PARTS, InvalidPolygon):
+        both: tuple[Any, ...] = items(part, "a part", _PARTS, InvalidPolygon, count=2)
+        outline, holes = both
         own = len(rings)
-        for ring in (outline, *holes):
+        for ring in (outline, *items(holes, "the holes of a part", _PARTS, InvalidPolygon)):
             outer.append(own if len(rings) > own else -1)
             rings.append(_ring(ring, len(rings)))
     return tuple(rings), tuple(outer)

@@ -8,7 +8,6 @@ import pytest
 import shapely
 
 import starskel
-from starskel.blending.blend import blend
 from starskel.correspondence.match import match
 from starskel.decomposition.decompose import decompose
 from starskel.errors import NoDecomposition
@@ -16,6 +15,7 @@ from starskel.files.examples import example, example_names, figure_number
 from starskel.files.image_pairs import picture_of
 from starskel.images.morph import ImageMorph
 from starskel.quality import measure
+from starskel.shapes.blend import blend
 
 FRAMES = 101
 

@@ -187,7 +187,7 @@ def test_suggesting_twice_gives_the_same_and_none_can_be_asked_for():
     source, target = two_opt(30, 1), two_opt(25, 2)
     assert starskel.suggest_marks(source, target) == starskel.suggest_marks(Polygon(source), target.tolist())
     assert starskel.suggest_marks(source, target, 0) == []
-    with pytest.raises(StarskelError, match="-1 marks"):
+    with pytest.raises(StarskelError, match="-1 is given for the count of marks"):
         starskel.suggest_marks(source, target, -1)
 
 

@@ -3,9 +3,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from starskel.blending.blend import blend
 from starskel.files.examples import example
 from starskel.quality import Crossing, measure
+from starskel.shapes.blend import blend
 from starskel.sheet.words import crossing_counts, figures, percent, spans, verdict
 
 SQUARE = np.array([[0, 0], [4, 0], [4, 4], [0, 4]], dtype=float)

@@ -32,7 +32,8 @@ ONLY_FOR_PROGRAMS = (
     "the shapely Polygon has holes",
     "points of shape",
     "there is no example",
-    "marks cannot be suggested",
+    "give a shapely Polygon",
+    "the pair is of regions",
 )
 """Errors that nobody at the editor meets."""
 

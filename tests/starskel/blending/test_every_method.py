@@ -6,11 +6,11 @@ from hypothesis import strategies as st
 
 import starskel
 from starskel.blending import METHODS
-from starskel.blending.blend import blend
 from starskel.correspondence import match
 from starskel.decomposition import decompose
 from starskel.errors import Cancelled, StarskelError, UnknownMethod
 from starskel.outline import edge_lengths
+from starskel.shapes.blend import blend
 from tests.families import subdivided, turned, two_opt
 from tests.starskel.blending.cases import CASES, NAMED, decomposition_of, pair_of, shapes, size_of
 
@@ -167,11 +167,19 @@ def test_a_method_may_be_named_behind_a_pair_or_left_out():
     np.testing.assert_array_equal(blend(pair).at(0.5), blend(pair, method="stitched").at(0.5))
 
 
-@pytest.mark.parametrize("t", [-1e-9, 1.5, np.nan, np.inf])
+@pytest.mark.parametrize(
+    ("t", "reason"),
+    [
+        (-1e-9, r"outside \[0, 1\]; give numbers from 0 to 1"),
+        (1.5, r"outside \[0, 1\]; give numbers from 0 to 1"),
+        (np.nan, "for the times; give a list of finite numbers"),
+        (np.inf, "for the times; give a list of finite numbers"),
+    ],
+)
 @every_method
-def test_times_outside_are_refused(method, t):
+def test_times_outside_are_refused(method, t, reason):
     prepared_blend = prepared("letter-T-Y", method)
-    with pytest.raises(StarskelError, match=r"outside \[0, 1\]; give numbers from 0 to 1"):
+    with pytest.raises(StarskelError, match=reason):
         prepared_blend.at(t)
     with pytest.raises(StarskelError):
         prepared_blend.frames([0.5, t])

@@ -95,7 +95,9 @@ def test_without_steiner_vertices_they_are_missed_where_they_are_needed():
 
 
 def test_an_unknown_algorithm_is_refused():
-    with pytest.raises(StarskelError, match="no algorithm 'smallest'; take one of minimal, convex"):
+    with pytest.raises(
+        StarskelError, match="'smallest' is given for the algorithm; give 'minimal' or 'convex'"
+    ):
         decompose(paired(*PAIRS["random 12"]), algorithm="smallest")
 
 

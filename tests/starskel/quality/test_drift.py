@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from starskel.blending.blend import blend
 from starskel.blending.vertex import VertexBlend
 from starskel.correspondence import match
 from starskel.quality import measure
 from starskel.quality.drift import roughness
+from starskel.shapes.blend import blend
 from tests.families import turned, two_opt
 
 SQUARE = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])

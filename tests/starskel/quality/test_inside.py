@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from starskel.blending.blend import blend
 from starskel.correspondence import match
 from starskel.decomposition import decompose
 from starskel.quality import measure
 from starskel.quality.inside import Triangles
+from starskel.shapes.blend import blend
 from tests.families import turned, two_opt
 
 SQUARE = np.array([(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)])

@@ -2,7 +2,6 @@ import numpy as np
 import pytest
 
 from starskel.blending import METHODS
-from starskel.blending.blend import blend
 from starskel.blending.edge_angle import EdgeAngleBlend
 from starskel.blending.frames import Blend
 from starskel.blending.pieces import PieceBlend
@@ -11,6 +10,7 @@ from starskel.correspondence import Correspondence, match
 from starskel.errors import Cancelled, StarskelError
 from starskel.outline import edge_lengths, signed_areas
 from starskel.quality import measure
+from starskel.shapes.blend import blend
 from tests.families import turned, two_opt
 
 SQUARE = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
@@ -113,13 +113,13 @@ def test_series_are_those_of_the_frames(shape_pair):
 
 @pytest.mark.parametrize("frames", [1, 0, -3])
 def test_too_few_frames_are_refused(frames):
-    with pytest.raises(StarskelError, match="at least 2"):
+    with pytest.raises(StarskelError, match=f"{frames} is given for the number of frames"):
         measure(VertexBlend(match(SQUARE, SQUARE)), frames=frames)
 
 
 @pytest.mark.parametrize("frames", [2.5, 101.0, "101", None, [0, 1]])
 def test_frames_that_are_no_number_are_refused(frames):
-    with pytest.raises(StarskelError, match="is no number of frames; give a whole number"):
+    with pytest.raises(StarskelError, match="for the number of frames; give a whole number, from 2"):
         measure(VertexBlend(match(SQUARE, SQUARE)), frames)
 
 

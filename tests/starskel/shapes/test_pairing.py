@@ -36,7 +36,7 @@ def test_what_is_left_over_has_no_partner():
         (I, I, [(0, 0), (1, None)], "ring 1 of the target is in no pair"),
         (I, I, [(0, 0), (1, 2)], "names ring 2 of the target, which has 2"),
         (A, I, [(0, 0), (1, 1)], "one is an outline and the other a hole"),
-        (I, I, [(0, 0), (None, None)], "pairs no rings"),
+        (I, I, [(0, 0), (None, None)], r"\(None, None\) is given for a pair of rings"),
         (I, I, [(0, 0), (1, 0), (1, 1), (0, 1)], "both have several partners"),
         (I, I, [(0, 0), (1, 1), (1, 1)], r"the pairing has \(1, 1\) twice"),
         (A, B, [(0, 0), (1, 1), (1, 2)], "ring 1 of the source, a hole, is in several pairs"),
