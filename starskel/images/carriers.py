@@ -81,15 +81,16 @@ def _carrier(blend: ShapeBlend, part: PartPair, body: Body, task: Task) -> Carri
         return np.concatenate([outline, *(hole[::-1] for hole in holes)])
 
     edges = _edges(part.pair)
-    if isinstance(body.blend, PieceBlend):
+    if isinstance(body.blend, PieceBlend) and blend.method != "certified":  # that one goes its own ways
         moved = _Moved(body, body.blend, rows_at)
         return Carrier(body.blend.mesh.triangles, edges, moved.nodes_at, number=places[0])
     source, target = (None not in sides for sides in zip(*part.links[:1], strict=True))
-    pair = part.pair
+    known, pair = None if part.alone else body.blend.decomposition, part.pair
     if part.alone:
         there = pair.source if source else pair.target
         pair = replace(pair, source=there, target=there)
-    inner = InnerMesh(rows_at, decompose_region(pair, task.part(0, 0.9)), task.part(0.9, 1))
+    known = known or decompose_region(pair, task.part(0, 0.9))
+    inner = InnerMesh(rows_at, known, task.part(0.9, 1))
     return Carrier(inner.mesh.triangles, edges, inner.mesh_at, source, target, places[0])
 
 

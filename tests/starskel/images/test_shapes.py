@@ -6,6 +6,7 @@ import starskel
 from starskel.images.morph import ImageMorph
 from starskel.images.placed import PlacedImage
 from tests.starskel.images.drawn import premultiplied, waves
+from tests.starskel.shapes.regions import holed_pair
 
 SIZE, VIEW = (120, 100), (0.0, 0.0, 120.0, 100.0)
 
@@ -24,7 +25,6 @@ SOURCE = starskel.Shape([FRAME, HOLE, DOT])
 TARGET = starskel.Shape([moved(FRAME, 40, 20), moved(HOLE, 40, 20), moved(DOT, -50, 40, 0.6)])
 PAIRING = [(0, 0), (1, 1), (2, 2)]
 MARKS = [[(0, 0)], [(0, 0)], [(0, 0)]]
-METHODS = [method for method in starskel.METHODS if method != "certified"]  # which takes no holes
 
 
 def inside(shape, reach):
@@ -32,7 +32,7 @@ def inside(shape, reach):
     return shapely.contains_xy(shapely.union_all(list(shape.to_shapely().geoms)).buffer(-reach), x, y)
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", starskel.METHODS)
 def test_parts_and_holes_are_the_input_at_the_ends(method):
     first, second = waves(*SIZE), waves(*SIZE, 2)
     morph = ImageMorph(
@@ -48,13 +48,27 @@ def test_parts_and_holes_are_the_input_at_the_ends(method):
             assert (frame[~inside(shape, -0.75)] == 0).all()  # also in the hole
 
 
-@pytest.mark.parametrize("method", ["stitched", "vertex"])
+@pytest.mark.parametrize("method", ["stitched", "vertex", "certified"])
 def test_in_between_the_hole_stays_open_and_areas_are_covered(method):
     flat = PlacedImage(np.full((100, 120, 3), 90, dtype=np.uint8))
     blend = starskel.blend(SOURCE, TARGET, MARKS, method, pairing=PAIRING)
     frame = ImageMorph(blend, flat, flat).at(0.5, (480, 400), VIEW)
     outline = shapely.union_all(list(blend.shape_at(0.5).geoms)).area
     assert abs(frame[..., 3].sum() / 255 / 16 - outline) < 0.005 * outline
+
+
+def test_pictures_follow_holes_that_are_kept_inside_by_a_repair():
+    pair = holed_pair(27)
+    blend = starskel.blend(pair, method="certified")
+    assert blend.repaired
+    flat = PlacedImage.in_box(np.full((8, 8, 3), 90, dtype=np.uint8), (0, 0), (1e3, 1e3))
+    morph = ImageMorph(blend, flat, flat)
+    left, bottom, right, top = morph.view
+    for t in (0.3, 0.6, 0.7):
+        frame = morph.at(t, (400, 300))
+        seen = frame[..., 3].sum() / 255 / 400 / 300 * (right - left) * (top - bottom)
+        assert seen == pytest.approx(blend.shape_at(t).area, rel=1e-3)  # nothing is left out, nothing outside
+        assert set(np.unique(frame[frame[..., 3] == 255][:, :3])) == {90}
 
 
 def test_no_seam_where_a_part_is_cut_in_two():
