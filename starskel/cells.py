@@ -9,7 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from starskel.predicates import ROUNDING, Floats, Indices
+from starskel.points import doubtful_area
+from starskel.predicates import Indices
 from starskel.triangulation import Triangulation
 
 
@@ -117,12 +118,6 @@ def _rounds(following: list[int]) -> tuple[Indices, Indices]:
         if len(sides) > ends[-1]:
             ends.append(len(sides))
     return np.array(sides), np.diff(ends)
-
-
-def doubtful_area(ring: Floats) -> float:
-    """Give how large doubled areas of triangles within a ring must be for rounding not to turn their sign."""
-    slack = 2 * ROUNDING * float(np.abs(ring).max())  # of two coordinates together
-    return 8 * slack * float(np.hypot(*np.ptp(ring, axis=0)))
 
 
 def _of_triangles(ground: Triangulation, sides: Indices, place: Indices) -> Indices:

@@ -8,13 +8,14 @@ by less than `ROUNDING`.
 """
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import product
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from starskel.predicates import ROUNDING, Floats, Indices, Signs, orientation
+from starskel.predicates import ROUNDING, Complex, Floats, Indices, Signs, orientation
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,18 +77,40 @@ class Points:
             dict(self.places),
         )
 
+    @cached_property
+    def _at(self) -> tuple[Complex, float]:
+        """All points, and up to which doubled area of a triangle rounding might turn its sign."""
+        return self.coordinates.view(np.complex128)[:, 0], doubtful_area(self.coordinates)
+
     def orientation(self, i: Indices, j: Indices, k: Indices) -> Signs:
         """Tell whether the turn from point i over j to k is left (1), right (-1) or none (0), exactly."""
-        rounded = self.rounded
-        rounded = rounded[i] | rounded[j] | rounded[k]
-        if not rounded.any():
-            return orientation(*(self.coordinates[p] for p in (i, j, k)))
-        i, j, k = np.broadcast_arrays(i, j, k)
-        signs = np.empty(i.shape, dtype=np.int8)
-        exact = ~rounded
-        signs[exact] = orientation(*(self.coordinates[p[exact]] for p in (i, j, k)))
-        signs[rounded] = self._filtered(i[rounded], j[rounded], k[rounded])
+        at, doubtful = self._at
+        base = at[k]
+        doubled = ((at[i] - base).conj() * (at[j] - base)).imag
+        signs = np.sign(doubled).astype(np.int8)
+        close = np.abs(doubled) <= doubtful
+        if close.any():
+            signs[close] = self._decided(*(p[close] for p in np.broadcast_arrays(i, j, k)))
         return signs
+
+    def _decided(self, i: Indices, j: Indices, k: Indices) -> Signs:
+        """Tell the same of points that are all but collinear."""
+        signs = np.zeros(len(i), dtype=np.int8)
+        apart = np.flatnonzero((i != j) & (j != k) & (k != i))
+        if len(apart):
+            i, j, k = i[apart], j[apart], k[apart]
+            start, end = self.start[[i, j, k]], self.end[[i, j, k]]
+            low, high = np.minimum(start, end).min(axis=0), np.maximum(start, end).max(axis=0)
+            off_chord = (((start != low) & (start != high)) | ((end != low) & (end != high))).any(axis=0)
+            rounded = (start != end).any(axis=0)
+            for kind, turn in ((~rounded, self._between_free), (rounded, self._filtered)):
+                chosen = np.flatnonzero(off_chord & kind)
+                if len(chosen):
+                    signs[apart[chosen]] = turn(i[chosen], j[chosen], k[chosen])
+        return signs
+
+    def _between_free(self, i: Indices, j: Indices, k: Indices) -> Signs:
+        return orientation(*(self.coordinates[p] for p in (i, j, k)))
 
     def _filtered(self, i: Indices, j: Indices, k: Indices) -> Signs:
         a = self.coordinates[i] - self.coordinates[k]
@@ -97,8 +120,6 @@ class Points:
         bound = 4 * slack * (np.abs(a).sum(axis=1) + np.abs(b).sum(axis=1) + slack)
         signs = np.sign(determinant).astype(np.int8)
         undecided = np.flatnonzero(np.abs(determinant) <= bound)
-        different = (i != j) & (j != k) & (k != i)
-        undecided = undecided[different[undecided]]
         if len(undecided):
             signs[undecided] = self._by_ends(i[undecided], j[undecided], k[undecided])
         return signs
@@ -107,18 +128,12 @@ class Points:
         """Decide from the turns of the chords' ends: a determinant is a positive mean of theirs."""
         ends = [(self.start[p], self.end[p]) for p in (i, j, k)]
         chosen = np.stack([np.stack(corners) for corners in product(*ends)], axis=1)
-        turns = self._turn_of_ends(*chosen.reshape(3, -1)).reshape(8, -1)
+        turns = self._decided(*chosen.reshape(3, -1)).reshape(8, -1)  # an end may be rounded, too
         low, high = turns.min(axis=0), turns.max(axis=0)
         signs: Signs = np.where(low >= 0, high, low)
         for p in np.flatnonzero((low < 0) & (high > 0)):
             signs[p] = self._by_integers(int(i[p]), int(j[p]), int(k[p]))
         return signs
-
-    def _turn_of_ends(self, i: Indices, j: Indices, k: Indices) -> Signs:
-        turns = np.zeros(len(i), dtype=np.int8)
-        different = (i != j) & (j != k) & (k != i)
-        turns[different] = self.orientation(*(p[different] for p in (i, j, k)))  # an end may be rounded, too
-        return turns
 
     def _by_integers(self, i: int, j: int, k: int) -> int:
         places = [self._place(p) for p in (i, j, k)]
@@ -163,6 +178,12 @@ def _dyadic(numbers: list[float]) -> list[int]:
     ratios = [number.as_integer_ratio() for number in numbers]
     exponent = max(denominator.bit_length() - 1 for _, denominator in ratios)
     return [*(n << exponent - d.bit_length() + 1 for n, d in ratios), exponent]
+
+
+def doubtful_area(points: Floats) -> float:
+    """Give how large doubled areas of triangles of points must be for rounding not to turn their sign."""
+    slack = 2 * ROUNDING * float(np.abs(points).max())  # of two coordinates together
+    return 8 * slack * float(np.hypot(*np.ptp(points, axis=0)))
 
 
 def points_of(vertices: Floats, starts: tuple[int, ...] = (0,)) -> Points:

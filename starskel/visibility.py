@@ -14,8 +14,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from starskel.cells import Cells, cells_of, doubtful_area
-from starskel.points import Points
+from starskel.cells import Cells, cells_of
+from starskel.points import Points, doubtful_area
 from starskel.predicates import ROUNDING, Complex, Floats, Indices, Relation
 from starskel.rings import blocks, ranges
 from starskel.task import UNWATCHED, Task

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 import numpy as np
 
 from starskel.decomposition.kernel import star_points, star_vertices
-from starskel.decomposition.pieces import Piece
+from starskel.decomposition.pieces import Around, Piece
 from starskel.points import Points
 from starskel.predicates import Complex, Floats, Relation
 from starskel.rings import Rings
@@ -34,11 +34,17 @@ class Board:
         Rows from here on are those of Steiner vertices.
     sides : list of Points
         The points of the source and of the target.
+    unions : dict
+        The rings round two neighbours, where that is known; None where they enclose something.
+    collapses : dict
+        What may take the place of the pieces round a Steiner vertex, where that is known.
     """
 
     def __init__(self, source: Points, target: Points) -> None:
         self.n = len(source.coordinates)
         self.sides = [source, target]
+        self.unions: dict[tuple[Piece, Piece], Piece | None] = {}
+        self.collapses: dict[Around, list[list[Piece]]] = {}
         self._common: dict[Piece, bool] = {}
         self._kernels: dict[Piece, bool] = {}
 

@@ -12,13 +12,10 @@ import numpy as np
 
 from starskel.decomposition.board import Board
 from starskel.decomposition.clipping import kernels_of_chains
-from starskel.decomposition.pieces import Piece, chain_after, from_least
+from starskel.decomposition.pieces import Around, Piece, chain_after, from_least
 from starskel.predicates import Indices
 from starskel.rings import Rings, ranges
 from starskel.task import Task
-
-Around = tuple[int, tuple[Piece, ...]]
-"""A Steiner vertex and the pieces round it."""
 
 
 @dataclass(frozen=True)

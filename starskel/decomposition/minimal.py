@@ -86,21 +86,18 @@ def _table(n: int, task: Task) -> Floats:
 
 def _fill(tables: _Tables, links: Links, task: Task) -> _Tables:
     task.reach(0)
-    edges = _every(links, 1)
+    rings = links.rings
+    edges = np.flatnonzero(rings.owner[1:] == rings.owner[:-1])
     for table in (tables.f, tables.left, tables.right):
         _set(table, edges, 1, np.zeros(len(edges)))
     if tables.chain is not None:
         _set(tables.chain, edges, 1, _sizes(links, edges))
-    longest = int(links.rings.counts.max())
+    longest = int(rings.counts.max())
     for span in range(2, longest):
         task.reach((span / longest) ** 2)
-        _fill_span(tables, links, span)
+        _lengthen(tables, np.flatnonzero(np.diagonal(links.sees, span)), span)
+        _link(tables, links, span)
     return tables
-
-
-def _every(links: Links, span: int) -> Indices:
-    """Give the vertices from which the span does not lead beyond their ring."""
-    return np.flatnonzero(links.rings.owner[span:] == links.rings.owner[: len(links.sees) - span])
 
 
 def _sizes(links: Links, vertices: Indices) -> Floats:
@@ -109,48 +106,56 @@ def _sizes(links: Links, vertices: Indices) -> Floats:
     return sizes
 
 
-def _fill_span(tables: _Tables, links: Links, span: int) -> None:
-    seen = np.flatnonzero(np.diagonal(links.sees, span))
+def _lengthen(tables: _Tables, seen: Indices, span: int) -> None:
+    """Fill in the half chains of a span between vertices that see each other."""
+    if len(seen):
+        left = _least(tables.f, tables.left, seen, span)
+        right = _least(tables.right, tables.f, seen, span)
+        _set(tables.left, seen, span, left)
+        _set(tables.right, seen, span, right)
+
+
+def _link(tables: _Tables, links: Links, span: int) -> None:
+    """Fill in what links of a span cost; they are half chains as well, and longer chains of any links."""
     diagonal = np.flatnonzero(np.diagonal(links.diagonal, span))
     linked = np.concatenate([diagonal, links.rings.first[links.rings.counts == span + 1]])
-    left = _least(tables.f, tables.left, seen, span)
-    right = _least(tables.right, tables.f, seen, span)
-    _set(tables.left, seen, span, left)
-    _set(tables.right, seen, span, right)
-    cost = _least(tables.left, tables.right, linked, span)
-    ends = np.minimum(tables.left[linked, linked + span], tables.right[linked, linked + span])
-    cost = 1 + np.minimum(cost, ends)
     if tables.chain is not None:
-        every = _every(links, span)
+        every = np.arange(len(tables.f) - span)  # those that lead beyond their ring stay infinite
         chain = _least(tables.f, tables.chain, every, span)
-        cost = np.minimum(cost, chain[np.searchsorted(every, linked)] + _sizes(links, linked))
-    cost[: len(diagonal)] += links.price(diagonal, diagonal + span)
-    _set(tables.f, linked, span, cost)
-    for table in (tables.left, tables.right):  # every diagonal is seen
-        _set(table, linked, span, np.minimum(table[linked, linked + span], cost))
+    if len(linked):
+        cost = _least(tables.left, tables.right, linked, span)
+        ends = np.minimum(tables.left[linked, linked + span], tables.right[linked, linked + span])
+        cost = 1 + np.minimum(cost, ends)
+        if tables.chain is not None:
+            cost = np.minimum(cost, chain[linked] + _sizes(links, linked))
+        cost[: len(diagonal)] += links.price(diagonal, diagonal + span)
+        _set(tables.f, linked, span, cost)
+        for table in (tables.left, tables.right):  # every diagonal is seen
+            _set(table, linked, span, np.minimum(table[linked, linked + span], cost))
     if tables.chain is not None:
-        at = np.searchsorted(every, linked)
-        chain[at] = np.minimum(chain[at], cost)
+        chain[linked] = np.minimum(chain[linked], tables.f[linked, linked + span])
         _set(tables.chain, every, span, chain + _sizes(links, every))
 
 
-def _least(first: Floats, second: Floats, rows: np.ndarray, span: int) -> Floats:
+def _least(first: Floats, second: Floats, rows: Indices, span: int) -> Floats:
     """For spans i..j at the given i, the least first[i, v] + second[v, j] over i < v < j."""
+    if not len(rows):
+        return np.empty(0)
     along_i = _spans(first, 0, span)[rows]
     along_i += _spans(second, span, span)[rows]
-    least: Floats = along_i.min(axis=1, initial=np.inf)
+    least: Floats = along_i.min(axis=1)
     return least
 
 
 def _spans(table: Floats, offset: int, span: int) -> Floats:
     """View row i of the result as table[i + offset, i + 1 : i + span]."""
-    n = len(table)
-    return np.lib.stride_tricks.as_strided(
-        table[offset:, 1:], (n - span, span - 1), (table.strides[0] + table.strides[1], table.strides[1])
+    n, (down, right) = len(table), table.strides
+    return np.ndarray(
+        (n - span, span - 1), table.dtype, table, offset * down + right, strides=(down + right, right)
     )
 
 
-def _set(table: Floats, rows: np.ndarray, span: int, values: Floats) -> None:
+def _set(table: Floats, rows: Indices, span: int, values: Floats) -> None:
     table[rows, rows + span] = values
     table[rows + span, rows] = values
 

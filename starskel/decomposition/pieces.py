@@ -13,6 +13,9 @@ from starskel.predicates import Floats
 Piece = tuple[int, ...]
 """The rows of a piece's vertices, counter-clockwise."""
 
+Around = tuple[int, tuple[Piece, ...]]
+"""A Steiner vertex and the pieces round it."""
+
 
 @dataclass(frozen=True, eq=False)
 class Decomposition:

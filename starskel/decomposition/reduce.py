@@ -9,8 +9,8 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from starskel.decomposition.board import AT_ONCE, Board
-from starskel.decomposition.collapse import Around, collapses
-from starskel.decomposition.pieces import Piece, edges_of, from_least
+from starskel.decomposition.collapse import collapses
+from starskel.decomposition.pieces import Around, Piece, edges_of, from_least
 from starskel.rings import blocks
 from starskel.task import Task
 
@@ -23,10 +23,9 @@ def reduce(board: Board, tilings: Sequence[list[Piece]], task: Task) -> list[lis
     """
     every = [_Reduction(board, pieces) for pieces in tilings]
     changing = every
-    known: dict[Around, list[list[Piece]]] = {}
     while changing:
         merged = _merge(board, changing, task)
-        collapsed = _collapse(board, changing, known, task)
+        collapsed = _collapse(board, changing, task)
         changing = [
             reduction for reduction, *any_ in zip(changing, merged, collapsed, strict=True) if any(any_)
         ]
@@ -44,34 +43,31 @@ def _merge(board: Board, reductions: list["_Reduction"], task: Task) -> list[boo
     return [reduction.make(found) for reduction, found in zip(reductions, moves, strict=True)]
 
 
-def _collapse(
-    board: Board, reductions: list["_Reduction"], known: dict[Around, list[list[Piece]]], task: Task
-) -> list[bool]:
-    """Collapse Steiner vertices into neighbours; add what these may do to what is known."""
+def _collapse(board: Board, reductions: list["_Reduction"], task: Task) -> list[bool]:
+    """Collapse Steiner vertices into neighbours."""
     stars = [reduction.stars() for reduction in reductions]
-    unknown = dict.fromkeys(star for found in stars for star in found if star not in known)
+    unknown = dict.fromkeys(star for found in stars for star in found if star not in board.collapses)
     waiting = list(unknown)
     for part in blocks(np.array([sum(map(len, pieces)) for _, pieces in waiting]), AT_ONCE):
-        known.update(collapses(board, waiting[part], task.quiet))
-    moves = [[(star[1], shrunk) for star in found for shrunk in known[star]] for found in stars]
+        board.collapses.update(collapses(board, waiting[part], task.quiet))
+    moves = [[(star[1], shrunk) for star in found for shrunk in board.collapses[star]] for found in stars]
     return [reduction.make(found) for reduction, found in zip(reductions, moves, strict=True)]
 
 
 class _Reduction:
-    """Pieces in change. What may become of some of them is remembered."""
+    """Pieces in change."""
 
     def __init__(self, board: Board, pieces: Iterable[Piece]) -> None:
         self.pieces = dict.fromkeys(pieces)
         self._board = board
-        self._unions: dict[tuple[Piece, Piece], Piece | None] = {}
 
     def unions(self) -> list[tuple[tuple[Piece, Piece], Piece]]:
         """Give the rings round neighbours, those across the longest edges first."""
-        neighbours = _neighbouring(self._board, self.pieces)
+        neighbours, known = _neighbouring(self._board, self.pieces), self._board.unions
         for pair in neighbours:
-            if pair not in self._unions:
-                self._unions[pair] = union(*pair)
-        return [(pair, ring) for pair in neighbours if (ring := self._unions[pair]) is not None]
+            if pair not in known:
+                known[pair] = union(*pair)
+        return [(pair, ring) for pair in neighbours if (ring := known[pair]) is not None]
 
     def stars(self) -> list[Around]:
         """Give the Steiner vertices, the last placed first, and the pieces round each."""

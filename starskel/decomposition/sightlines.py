@@ -5,13 +5,11 @@ one another, and only for free sight: no view narrows to a line, and the expansi
 """
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
-from starskel.cells import doubtful_area
 from starskel.points import Points
-from starskel.predicates import Complex, Floats, Indices, Relation
+from starskel.predicates import Indices, Relation, Signs
 from starskel.rings import ranges
 from starskel.task import Task
 from starskel.triangulation import Triangulation
@@ -59,23 +57,9 @@ class Places:
     place: Indices
     triangle: Indices
 
-    @cached_property
-    def _at(self) -> tuple[Complex, float]:
-        """All points, and up to which doubled area of a triangle rounding might turn its sign."""
-        coordinates = self.points.coordinates
-        return coordinates.view(np.complex128)[:, 0], doubtful_area(coordinates)
-
-    def turn(self, place: Indices, first: Indices, second: Indices) -> Floats:
+    def turn(self, place: Indices, first: Indices, second: Indices) -> Signs:
         """Tell whether places turn left (1) or right (-1) to look from the first to the second point."""
-        at, doubtful = self._at
-        place = self.rows[place]
-        own = at[place]
-        doubled = ((at[first] - own).conj() * (at[second] - own)).imag
-        turns: Floats = np.sign(doubled)
-        close = np.flatnonzero(np.abs(doubled) <= doubtful)
-        if len(close):
-            turns[close] = self.points.orientation(place[close], first[close], second[close])
-        return turns
+        return self.points.orientation(self.rows[place], first, second)
 
 
 def sightlines(ground: Triangulation, places: Places, task: Task) -> Relation:
