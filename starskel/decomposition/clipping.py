@@ -47,22 +47,25 @@ class Convex:
     def left_of(self, start: Complex, end: Complex) -> "Convex":
         """Keep the part of each cell to the left of its line; nothing stays where that has no area."""
         off = self.corners - start.repeat(self.size)
-        side = ((end - start).conj().repeat(self.size) * off).imag
-        inside = side >= 0
-        if inside.all():
+        side: Floats = ((end - start).conj().repeat(self.size) * off).imag
+        kept = side >= 0
+        if kept.all():
             return self
         first, last, some = self._ends
-        following, beyond = _next(self.corners, first, last), _next(side, first, last)
-        crossing = side * beyond < 0
-        share = np.divide(side, side - beyond, out=np.zeros_like(side), where=crossing)
-        corners = np.empty((len(side), 2), dtype=np.complex128)
-        corners[:, 0], corners[:, 1] = self.corners, self.corners + share * (following - self.corners)
-        kept = np.empty((len(side), 2), dtype=bool)
-        kept[:, 0], kept[:, 1] = inside, crossing
-        kept &= (np.maximum.reduceat(side, first) > 0).repeat(self.size[some])[:, None]
+        following = np.arange(1, len(side) + 1)
+        following[last] = first
+        crossing = np.flatnonzero(side * side[following] < 0)
+        ahead = following[crossing]
+        share = side[crossing] / (side[crossing] - side[ahead])
+        met = self.corners[crossing] + share * (self.corners[ahead] - self.corners[crossing])
+        kept &= (np.maximum.reduceat(side, first) > 0).repeat(self.size[some])
+        corners = np.concatenate([self.corners[kept], met])
+        order = np.argsort(np.concatenate([np.flatnonzero(kept), crossing + 0.5]))
+        count = kept.astype(np.intp)
+        count[crossing] += 1
         size = np.zeros_like(self.size)
-        size[some] = np.add.reduceat(kept.sum(axis=1), first)
-        return Convex(corners[kept], size)
+        size[some] = np.add.reduceat(count, first)
+        return Convex(corners[order], size)
 
     def measured(self) -> tuple[Complex, Floats]:
         """Give the centroids and the areas of the cells, 0 for those of which nothing is left."""

@@ -24,8 +24,6 @@ MOST_PLACES = 300
 MOST_SAMPLES = 3000
 """Places that are looked at in each polygon, one at least in each triangle."""
 
-_HOPELESS = np.iinfo(np.intp).max
-
 _WEIGHTS = np.array(
     [(31, 33, 36), (67, 16, 17), (15, 68, 17), (17, 15, 68), (41, 40, 19), (42, 19, 39), (18, 41, 41)],
     dtype=float,
@@ -123,18 +121,27 @@ def _best(first: Relation, second: Relation, most: int, task: Task) -> list[tupl
     """Rank pairs of places by what they leave hidden; give the best, and how many vertices these hide."""
     task.reach(0)
     hardness = _hardness(first, second)
-    ranked = np.argsort(hardness, axis=None, kind="stable")[:most]
-    ranked = ranked[hardness.ravel()[ranked] < _HOPELESS]
-    i, j = np.unravel_index(ranked, hardness.shape)
-    return list(zip(i.tolist(), j.tolist(), (hardness[i, j] // first.shape[1]).tolist(), strict=True))
+    count = most
+    while True:
+        ranked = _least(hardness.ravel(), count)
+        i, j = np.unravel_index(ranked, hardness.shape)
+        hopeful = np.flatnonzero(_leave_less(first[i] & second[j]))[:most]
+        if len(hopeful) == most or count >= hardness.size:
+            hidden = hardness[i, j] // first.shape[1]
+            return list(zip(*(part[hopeful].tolist() for part in (i, j, hidden)), strict=True))
+        count *= 8
+
+
+def _least(numbers: Indices, count: int) -> Indices:
+    """Give where the least of some numbers are, in rising order, the first of equal ones first."""
+    if count < len(numbers):
+        near = np.flatnonzero(numbers <= np.partition(numbers, count)[count])
+        return near[np.argsort(numbers[near], kind="stable")][:count]
+    return np.argsort(numbers, kind="stable")
 
 
 def _hardness(first: Relation, second: Relation) -> Indices:
-    """Give for each pair of places the hidden vertices beyond those that are easy, then the pockets.
-
-    It is `_HOPELESS` where a pocket, its run of hidden vertices and three more, is no smaller than the
-    polygon: where all vertices seen are among three neighbours.
-    """
+    """Give for each pair of places the hidden vertices beyond those that are easy, then the pockets."""
     n = first.shape[1]
     seen, earlier, before = (
         _words(np.roll(first, step, axis=1))[:, None] & _words(np.roll(second, step, axis=1))
@@ -142,11 +149,18 @@ def _hardness(first: Relation, second: Relation) -> Indices:
     )
     near = _count(seen | earlier | before)
     hardness: Indices = n * (n - near) + _count(seen & ~earlier)
-    few = np.argwhere(_count(seen) <= EASY + 1)
-    both = first[few[:, 0]] & second[few[:, 1]]
-    run = np.add.reduce([np.roll(both, step, axis=1) for step in range(EASY + 1)], dtype=np.int8)
-    hardness[tuple(few[run.max(axis=1, initial=0) == both.sum(axis=1)].T)] = _HOPELESS
     return hardness
+
+
+def _leave_less(seen: Relation) -> Relation:
+    """Tell from the vertices that places see whether all their pockets are smaller than the polygon.
+
+    A pocket, its run of hidden vertices and three more, is not where all vertices seen are among three
+    neighbours.
+    """
+    run = np.add.reduce([np.roll(seen, step, axis=1) for step in range(EASY + 1)], dtype=np.int8)
+    less: Relation = run.max(axis=1, initial=0) < seen.sum(axis=1)
+    return less
 
 
 def _words(flags: Relation) -> NDArray[np.uint64]:
