@@ -21,6 +21,9 @@ TIGHT = 0.9
 _HALVINGS = 40
 """The most halvings: of a motion that touches, no hull says anything."""
 
+_SIDES = np.array([(i, j) for i in range(4) for j in range(i)]).T
+"""The pairs of corners of a hull of four points: its sides are among them."""
+
 _MOST_HALVINGS = 6
 """The most halvings where a distance is asked for: it may be all but reached all the time."""
 
@@ -97,8 +100,8 @@ def stay_clear(before: Complex, after: Complex, vertex: Indices, edge: Indices, 
 def _least_at_times(corners: Complex) -> Floats:
     """Give the least of the distances before, after and half-way between."""
     before, after = corners[:2], corners[2:]
-    edges = before, (before + after) / 2, after
-    return np.asarray(np.minimum.reduce([np.abs(_nearest(*edge)) for edge in edges]))
+    edges = np.stack([before, (before + after) / 2, after], axis=1)
+    return np.asarray(np.abs(_nearest(*edges)).min(axis=0))
 
 
 def _halves(corners: Complex) -> Complex:
@@ -112,15 +115,13 @@ def _nearest(p: Complex, q: Complex) -> Complex:
     along = q - p
     squared = along.real**2 + along.imag**2
     share = -(along.real * p.real + along.imag * p.imag) / np.where(squared > 0, squared, 1.0)
-    return np.asarray(p + np.clip(share, 0.0, 1.0) * along)
+    return np.asarray(p + np.minimum(np.maximum(share, 0.0), 1.0) * along)
 
 
 def _bounds(corners: Complex) -> Floats:
     """Give lower bounds of how far from zero the hulls of (4, k) points are; 0 where zero may be inside."""
-    sides = [_nearest(corners[i], corners[j]) for i in range(4) for j in range(i)]
-    bounds = np.zeros(corners.shape[1])
-    for nearest in sides:
-        distance = np.abs(nearest)
-        normal = nearest.conj() / np.where(distance > 0, distance, 1.0)
-        bounds = np.maximum(bounds, (corners * normal).real.min(axis=0))
-    return bounds
+    nearest = _nearest(*corners[_SIDES])
+    distance = np.abs(nearest)
+    normals = nearest.conj() / np.where(distance > 0, distance, 1.0)
+    along = (corners * normals[:, None]).real
+    return np.asarray(np.maximum(along.min(axis=1).max(axis=0), 0.0))

@@ -45,11 +45,11 @@ class Rung(NamedTuple):
 LADDER = (
     Rung(on_ring=3, dial=0.95, yielding=1, flipped=True, rounds=1),
     Rung(on_ring=1, dial=0.95, yielding=1, flipped=False),
-    Rung(on_ring=3, dial=0.95, yielding=0, flipped=False),
-    Rung(on_ring=1, dial=0.95, yielding=0, flipped=False),
-    Rung(on_ring=0.3, dial=0.95, yielding=0, flipped=True),
-    Rung(on_ring=10, dial=0.5, yielding=2, flipped=True),
-    Rung(on_ring=1, dial=0, yielding=0, flipped=False),
+    Rung(on_ring=10, dial=0.95, yielding=0, flipped=False),
+    Rung(on_ring=0.1, dial=0.95, yielding=1, flipped=False),
+    Rung(on_ring=0.1, dial=0.95, yielding=0, flipped=True),
+    Rung(on_ring=10, dial=0.95, yielding=1, flipped=False),
+    Rung(on_ring=3, dial=0.95, yielding=1, flipped=True),
     Rung(on_ring=10, dial=0, yielding=0, flipped=False),
 )
 """What is tried in turn, the most pleasing balance first; each of the others settles pairs that those before

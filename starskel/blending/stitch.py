@@ -22,6 +22,12 @@ SWOLLEN, SQUEEZED = 4.0, 1.5
 Squeezed triangles must not make up for swollen ones: a mean of both would leave the whole too large.
 """
 
+STRAY = 0.1
+"""How far the logarithm of the whole area strays from that of its linear blend, at most.
+
+Gross deviations are scaled away; small ones are left, as parts that keep their shape would pulse.
+"""
+
 PASSES = 2
 """How often areas are corrected: more often gains little."""
 
@@ -124,7 +130,7 @@ class Stitch:
             growth = self._growth(points, ts)
             wishes = wishes * np.exp((growth[:, i] + growth[:, j]) / 2)
             points = self._nearest(wishes)
-        return points
+        return points * self._whole_scale(points, ts)[:, None]
 
     def _nearest(self, wishes: Complex) -> Complex:
         """Solve: the points whose edges come nearest to the wishes."""
@@ -148,6 +154,18 @@ class Stitch:
         masses = np.minimum(graph.masses, np.maximum(wanted, 0.0) / (3 * wanted.sum(axis=1, keepdims=True)))
         loads = (self.dial / 2 * masses * lacking)[:, graph.corners]
         return graph.smoothing.solve(np.add.reduceat(loads, graph.corner_firsts, axis=1))
+
+    def _whole_scale(self, points: Complex, ts: Floats) -> Floats:
+        """Give for each t the factor that brings the whole area back to within `STRAY` of its linear blend.
+
+        Scaling makes nothing cross. Of a deviation of g, as a logarithm, g / (1 + (g / (2 STRAY))^2) is left.
+        """
+        mesh = self.graph.mesh
+        wanted = (1 - ts) * mesh.source_areas.sum() + ts * mesh.target_areas.sum()
+        there = triangle_areas(points[:, mesh.triangles]).sum(axis=1)
+        excess = np.log(np.maximum(there / wanted, 1 / SWOLLEN))
+        taken = excess**3 / (excess**2 + (2 * STRAY) ** 2)
+        return np.asarray(np.exp(-taken / 2))
 
 
 def _relative_lengths(mesh: Mesh) -> Floats:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
+from scipy.sparse import csr_array
 
 from starskel.blending.certified.room import Room, contacts
 from starskel.certificate import near_pairs
@@ -125,6 +126,14 @@ class Linear(NamedTuple):
     def changes(self, moves: Complex) -> Floats:
         """Give how the logarithms change when the n vertices move."""
         return np.asarray((self.slopes.conj() * (self.parts * moves[self.vertices]).sum(axis=1)).real)
+
+    def gradients(self, n: int) -> csr_array:
+        """Give the gradients by the x of n vertices, and behind them by the y, (k, 2 n)."""
+        rows = np.repeat(np.arange(len(self.logarithms)), 6)
+        columns = np.concatenate([self.vertices, self.vertices + n], axis=1).ravel()
+        both = self.slopes.real[:, None] * self.parts, self.slopes.imag[:, None] * self.parts
+        values = np.concatenate(both, axis=1).ravel()
+        return csr_array((values, (rows, columns)), shape=(len(self.logarithms), 2 * n))
 
     def products(self, compliance: Floats) -> tuple[Floats, Floats]:
         """Give gradients times a symmetric matrix: without their directions, (k, n); by each, (k, k)."""

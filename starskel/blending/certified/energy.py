@@ -4,8 +4,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.linalg import solve
 
-from starskel.blending.certified.barrier import Barrier
+from starskel.blending.certified.barrier import Barrier, Linear
 from starskel.blending.certified.metric import Metric
 from starskel.blending.certified.room import Room
 from starskel.polar import as_complex, as_points
@@ -85,13 +86,26 @@ class Energy:
         return self.metric.strain(frame - self.goal) + self.push * self.barrier.energy(frame)
 
     def _step(self, frame: Complex) -> Complex:
-        """Give the Gauss-Newton step.
-
-        Only pairs within reach need to be solved for (Woodbury's formula): without them the step is that to
-        the goal.
-        """
+        """Give the Gauss-Newton step: solve for pairs where these are fewer, else for coordinates."""
         near, away = self.barrier.linear(frame), frame - self.goal
+        if len(near.logarithms) < 2 * len(frame):
+            return self._step_by_pairs(near, away)
+        return self._step_by_coordinates(near, away)
+
+    def _step_by_pairs(self, near: Linear, away: Complex) -> Complex:
+        """Solve for how hard pairs push (Woodbury's formula): without any the step is that to the goal."""
         yields, matrix = near.products(self.metric.compliance)
         matrix.flat[:: len(matrix) + 1] += 1 / self.push
-        pushes = np.linalg.solve(matrix, near.changes(away) - near.logarithms)
-        return np.asarray((pushes * near.slopes) @ yields - away)
+        pushes = solve(matrix, near.changes(away) - near.logarithms, assume_a="pos")
+        return as_complex((yields.T @ as_points(pushes * near.slopes)) - as_points(away))
+
+    def _step_by_coordinates(self, near: Linear, away: Complex) -> Complex:
+        """Solve for the moves of all vertices, x and y behind one another."""
+        n, stiffness = len(away), self.metric.stiffness
+        gradients = near.gradients(n)
+        matrix = (self.push * gradients.T @ gradients).toarray()
+        matrix[:n, :n] += stiffness
+        matrix[n:, n:] += stiffness
+        pulls = np.concatenate([stiffness @ away.real, stiffness @ away.imag])
+        moves = solve(matrix, -pulls - self.push * (gradients.T @ near.logarithms), assume_a="pos")
+        return np.asarray(moves[:n] + 1j * moves[n:])
