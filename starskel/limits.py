@@ -19,14 +19,19 @@ DRAWING_BYTES = 20_000_000
 DRAWING_TAGS = 500_000
 """Tags and attributes of an SVG file."""
 
-DRAWING_ELEMENTS = 10_000
-"""Elements of an SVG file, those included that `use` repeats."""
+DRAWING_LETTERS = 3_000_000
+"""Letters of the attributes and style sheets of an SVG file that say what is drawn, those included that `use`
+repeats; those of transforms count for each element that they move."""
 
-DRAWING_NUMBERS = 300_000
-"""Numbers and commands of its paths."""
+DRAWING_NUMBERS = 100_000
+"""Numbers and commands of the paths of an SVG file."""
 
-DRAWING_SHAPES = 4_000
-"""Geometries of a WKT file, features of a GeoJSON file: each is checked and mended on its own."""
+DRAWING_VALUES = 300_000
+"""Values of a GeoJSON file, words of a WKT file."""
+
+DRAWING_SHAPES = 2_000
+"""Geometries of a WKT file, features of a GeoJSON file, elements, subpaths and rules of an SVG file, those
+included that `use` repeats; rings of a shape. Each is checked and mended on its own."""
 
 DEPTH = 200
 """How deep elements of an SVG file, and brackets of a WKT file, may be nested."""
@@ -36,6 +41,9 @@ CROSSINGS = 5_000
 
 OVERLAPS = 100_000
 """Pairs of rings of one shape whose boxes overlap: each pair is looked at."""
+
+EDGES = 2_000_000
+"""Pairs of edges of a shape whose boxes overlap: each pair is looked at."""
 
 RING_VERTICES = 100_000
 """Vertices of a ring of a file."""

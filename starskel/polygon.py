@@ -1,6 +1,6 @@
 """Polygon: the one place where rings are checked and oriented."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 
 import numpy as np
@@ -140,6 +140,28 @@ def edge_blocks(starts: Floats, ends: Floats) -> list[Indices]:
         axis=0,
     )
     return np.split(numbers, np.flatnonzero(np.diff(overlaps.cumsum() // CANDIDATES)) + 1)
+
+
+def overlapping_edges(rings: Sequence[Floats], most: int) -> int:
+    """Count the pairs of edges whose boxes overlap, neighbours left out, but not far beyond `most`.
+
+    Parameters
+    ----------
+    rings : sequence of (n, 2) arrays
+    most : int
+    """
+    starts = np.concatenate(rings)
+    ends = np.concatenate([np.roll(ring, -1, axis=0) for ring in rings])
+    blocks = edge_blocks(starts, ends)
+    if len(blocks) == 1:
+        return 0
+    edges = shapely.linestrings(np.stack([starts, ends], axis=1))
+    tree, twice = shapely.STRtree(edges), -3 * len(edges)  # each meets itself and two neighbours
+    for block in blocks:
+        twice += tree.query(edges[block]).shape[1]
+        if twice > 2 * most:
+            break
+    return max(twice, 0) // 2
 
 
 def meeting_places(ring: Floats, pairs: NDArray[np.intp]) -> Floats:

@@ -504,6 +504,10 @@
         <translation>eine Form</translation>
     </message>
     <message>
+        <source>rings</source>
+        <translation>Ringe</translation>
+    </message>
+    <message>
         <source>overlapping parts</source>
         <translation>überlappende Teile</translation>
     </message>
@@ -728,6 +732,10 @@
         <translation>Eckpunkte</translation>
     </message>
     <message>
+        <source>edges beside each other</source>
+        <translation>Kanten nebeneinander</translation>
+    </message>
+    <message>
         <source>{name} has {count} {what}</source>
         <translation>{name}: {count} {what}</translation>
     </message>
@@ -760,12 +768,20 @@
         <translation>Tags</translation>
     </message>
     <message>
-        <source>elements</source>
-        <translation>Elemente</translation>
+        <source>elements and subpaths</source>
+        <translation>Elemente und Teilpfade</translation>
+    </message>
+    <message>
+        <source>letters</source>
+        <translation>Buchstaben</translation>
     </message>
     <message>
         <source>numbers</source>
         <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>rules</source>
+        <translation>Regeln</translation>
     </message>
     <message>
         <source>the SVG is nested too deeply, or uses itself</source>
@@ -834,6 +850,10 @@
     <message>
         <source>make room on its disk, and let files be written there</source>
         <translation>schaffen Sie Platz auf dem Datenträger, und lassen Sie das Schreiben dort zu</translation>
+    </message>
+    <message>
+        <source>a path</source>
+        <translation>ein Pfad</translation>
     </message>
 </context>
 <context>

@@ -2,10 +2,13 @@
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from starskel.correspondence.marks import Mark, checked_marks
 from starskel.errors import InvalidFile, InvalidMarks, InvalidPolygon, told
-from starskel.limits import RING_VERTICES, check_limit
-from starskel.polygon import Polygon
+from starskel.limits import EDGES, RING_VERTICES, check_limit
+from starskel.polygon import Polygon, overlapping_edges
+from starskel.predicates import Floats
 
 Row = tuple[float, float]
 
@@ -24,10 +27,23 @@ def polygon_of(rows: Sequence[Row], where: str) -> Polygon:
         If it has too many vertices, or from the polygon's own error, with `where` put in front.
     """
     check_limit(where, told("vertices"), len(rows), RING_VERTICES)
+    if rows:
+        check_edges(where, [np.asarray(rows, dtype=np.float64)])
     try:
         return Polygon(rows)
     except InvalidPolygon as error:
         raise InvalidFile.holding(error, where) from error
+
+
+def check_edges(what: str, rings: Sequence[Floats]) -> None:
+    """Refuse edges that lie so close to each other that looking for crossings would take time without end.
+
+    Raises
+    ------
+    InvalidFile
+        Naming the limit and the value.
+    """
+    check_limit(what, told("edges beside each other"), overlapping_edges(rings, EDGES), EDGES)
 
 
 def marked_shapes(

@@ -48,12 +48,13 @@ class Reading:
 def uniquely_named(shapes: list[Found]) -> tuple[Found, ...]:
     """Give shapes names that differ: "leaf", "leaf 2", "leaf 3"."""
     taken: set[str] = set()
+    numbers: dict[str, int] = {}
     named = []
     for found in shapes:
-        number, name = 1, found.name
+        name = found.name
         while name in taken:
-            number += 1
-            name = f"{found.name} {number}"
+            numbers[found.name] = numbers.get(found.name, 1) + 1
+            name = f"{found.name} {numbers[found.name]}"
         taken.add(name)
         named.append(replace(found, name=name))
     return tuple(named)

@@ -7,7 +7,7 @@ import msgspec
 import shapely
 
 from starskel.errors import InvalidFile, told
-from starskel.limits import DRAWING_BYTES, DRAWING_NUMBERS, DRAWING_SHAPES, check_limit
+from starskel.limits import DRAWING_BYTES, DRAWING_SHAPES, DRAWING_VALUES, check_limit
 from starskel.reading.areas import area_of
 from starskel.reading.found import Found, Reading, uniquely_named
 from starskel.reading.wanted import Wanted
@@ -35,7 +35,7 @@ def read(content: bytes, wanted: Wanted) -> Reading:
     """
     values = content.count(b",") + content.count(b"[")
     check_limit(told("the GeoJSON"), told("bytes"), len(content), DRAWING_BYTES)
-    check_limit(told("the GeoJSON"), told("values"), values, DRAWING_NUMBERS)
+    check_limit(told("the GeoJSON"), told("values"), values, DRAWING_VALUES)
     try:
         document = msgspec.json.decode(content)
         features = list(_features(document))

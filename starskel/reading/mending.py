@@ -8,11 +8,12 @@ import numpy as np
 import shapely
 
 from starskel.errors import InvalidFile, InvalidPolygon, told
-from starskel.limits import CROSSINGS, OVERLAPS, check_limit
+from starskel.files.shapes import check_edges
+from starskel.limits import CROSSINGS, DRAWING_SHAPES, OVERLAPS, check_limit
 from starskel.outline import signed_areas
 from starskel.polygon import Polygon, edge_blocks
-from starskel.predicates import LARGEST, Floats
-from starskel.shapes.shape import Shape, meet
+from starskel.predicates import LARGEST, Floats, Indices
+from starskel.shapes.shape import Shape, rings_meet
 
 Rule = Literal["nonzero", "evenodd"]
 
@@ -24,6 +25,9 @@ _SAME = 1e-7
 
 _AT_ONCE = 1_000_000
 """Edges times points that are looked at in one go."""
+
+_BOXES = 1000
+"""Boxes of rings for which others that overlap them are looked up in one go."""
 
 _CRUMB = 1e-9
 """Faces smaller than this part of the square over the longer side of the box are left out."""
@@ -43,9 +47,11 @@ def shape_of_rings(rings: Sequence[Floats], rule: Rule) -> tuple[Shape, tuple[st
     kept = [cleaned for ring in rings if (cleaned := _cleaned(ring, repairs)) is not None]
     if not kept:
         return None
+    check_limit(told("a shape"), told("rings"), len(kept), DRAWING_SHAPES)
+    check_edges(told("a shape"), kept)
     near = _near(kept)
     polygons = _polygons(kept)
-    if polygons is None or any(meet(polygons[i], polygons[j]) for i, j in near):
+    if polygons is None or rings_meet(kept):
         check_crossings(kept)
         repairs.append(told("it crossed or touched itself and was cut there"))
         return shape_of_geometry(_filled(kept, rule), repairs)
@@ -68,9 +74,12 @@ def shape_of_geometry(
         What was mended before.
     """
     told_already = list(repairs)
+    rings = [shapely.get_coordinates(ring)[:-1] for ring in _rings(geometry)]
+    check_limit(told("a shape"), told("rings"), len(rings), DRAWING_SHAPES)
+    if rings:
+        check_edges(told("a shape"), rings)
     if not shapely.is_valid(geometry):
-        rings = shapely.get_parts(shapely.get_rings(shapely.get_parts(geometry)))
-        check_crossings([shapely.get_coordinates(ring)[:-1] for ring in rings])
+        check_crossings(rings)
         reason = shapely.is_valid_reason(geometry).replace("[", " at (").replace("]", ")")
         told_already.append(told("it was no proper area and was mended: {reason}", reason=reason))
         geometry = shapely.make_valid(geometry, method="structure")
@@ -87,6 +96,10 @@ def shape_of_geometry(
             moved = [told("parts of it touched and were moved apart")] if apart else []
             return Shape(parted), (*told_already, *moved)
     raise InvalidFile(told("a shape touches itself in too many places"), told("draw it with clearer gaps"))
+
+
+def _rings(geometry: shapely.Geometry) -> list[shapely.LinearRing]:
+    return list(shapely.get_rings(shapely.get_parts(shapely.get_parts(geometry))))
 
 
 def _parted(area: shapely.MultiPolygon, apart: float) -> shapely.MultiPolygon:
@@ -126,21 +139,26 @@ def _polygons(rings: Sequence[Floats]) -> list[Polygon] | None:
         return None
 
 
-def _near(rings: Sequence[Floats]) -> list[tuple[int, int]]:
-    """Give the pairs i > j of rings whose boxes overlap."""
-    boxes = shapely.box(
-        *np.concatenate([[ring.min(axis=0), ring.max(axis=0)] for ring in rings]).reshape(-1, 4).T
-    )
-    i, j = shapely.STRtree(boxes).query(boxes)
-    pairs = np.stack([i, j], axis=1)[i > j]
-    check_limit(told("a shape"), told("overlapping parts"), len(pairs), OVERLAPS)
-    return [(int(i), int(j)) for i, j in pairs[np.lexsort(pairs.T[::-1])]]
+def _edges(rings: Sequence[Floats]) -> tuple[Floats, Floats]:
+    return np.concatenate(rings), np.concatenate([np.roll(ring, -1, axis=0) for ring in rings])
+
+
+def _near(rings: Sequence[Floats]) -> Indices:
+    """Give the pairs i > j of rings whose boxes overlap, (k, 2)."""
+    boxes = shapely.box(*np.array([[*ring.min(axis=0), *ring.max(axis=0)] for ring in rings]).T)
+    tree = shapely.STRtree(boxes)
+    found = [np.empty((0, 2), dtype=np.intp)]
+    for first in range(0, len(boxes), _BOXES):
+        i, j = tree.query(boxes[first : first + _BOXES])
+        found.append(np.stack([i + first, j], axis=1)[i + first > j])
+        check_limit(told("a shape"), told("overlapping parts"), sum(map(len, found)), OVERLAPS)
+    pairs: Indices = np.concatenate(found)
+    return pairs[np.lexsort(pairs.T[::-1])]
 
 
 def check_crossings(rings: Sequence[Floats]) -> None:
     """Refuse a tangle, which has as many crossings as its edges squared."""
-    starts = np.concatenate(rings)
-    ends = np.concatenate([np.roll(ring, -1, axis=0) for ring in rings])
+    starts, ends = _edges(rings)
     edges = shapely.linestrings(np.stack([starts, ends], axis=1))
     tree = shapely.STRtree(edges)
     meeting = -3 * len(edges)  # each meets itself and two neighbours
@@ -149,28 +167,22 @@ def check_crossings(rings: Sequence[Floats]) -> None:
         check_limit(told("a shape"), told("crossings"), meeting // 2, CROSSINGS)
 
 
-def _parts(
-    rings: Sequence[Floats], rule: Rule, near: Sequence[tuple[int, int]]
-) -> list[tuple[Floats, list[Floats]]]:
+def _parts(rings: Sequence[Floats], rule: Rule, near: Indices) -> list[tuple[Floats, list[Floats]]]:
     """Give what rings that are apart enclose: outlines, each with its holes."""
     winds = np.array([np.sign(signed_areas(ring)) for ring in rings])
     inside = np.zeros((len(rings), len(rings)), dtype=bool)
-    for own, other in [*near, *((j, i) for i, j in near)]:
-        inside[own, other] = _inside(rings[own], rings[other])
+    own, other = np.concatenate([near, near[:, ::-1]]).T
+    first, areas = np.array([ring[0] for ring in rings]), np.array([shapely.Polygon(ring) for ring in rings])
+    inside[own, other] = shapely.contains_xy(areas[other], *first[own].T)
     before = _is_filled(inside @ winds, rule)
     within = _is_filled(inside @ winds + winds, rule)
     outlines = np.flatnonzero(within & ~before).tolist()
     holes = np.flatnonzero(before & ~within).tolist()
-    owner = {hole: _smallest([k for k in outlines if inside[hole, k]], rings) for hole in holes}
-    return [(rings[k], [rings[hole] for hole, own in owner.items() if own == k]) for k in outlines]
-
-
-def _inside(ring: Floats, other: Floats) -> bool:
-    return bool(shapely.contains_xy(shapely.Polygon(other), *ring[0]))
-
-
-def _smallest(numbers: Sequence[int], rings: Sequence[Floats]) -> int:
-    return min(numbers, key=lambda k: float(abs(signed_areas(rings[k]))))
+    sizes = np.where(within & ~before, shapely.area(areas), np.inf)
+    inner: dict[int, list[Floats]] = {outline: [] for outline in outlines}
+    for hole in holes:
+        inner[int(np.where(inside[hole], sizes, np.inf).argmin())].append(rings[hole])
+    return [(rings[outline], inner[outline]) for outline in outlines]
 
 
 def _is_filled(winding: Floats, rule: Rule) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:

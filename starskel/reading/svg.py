@@ -7,7 +7,6 @@ the outline of the stroke.
 
 import io
 from collections.abc import Iterator
-from math import acos, ceil
 from xml.etree import ElementTree
 
 import defusedxml
@@ -18,10 +17,10 @@ import svgelements
 
 from starskel.errors import InvalidFile, told
 from starskel.predicates import Floats
-from starskel.reading.curves import flattened
 from starskel.reading.found import Found, Reading, uniquely_named
 from starskel.reading.mending import Rule, check_crossings, shape_of_geometry, shape_of_rings
-from starskel.reading.svg_limits import check_content, check_tree, tidy_styles
+from starskel.reading.svg_limits import check_content, check_tree, tidy_styles, without_idle_attributes
+from starskel.reading.svg_lines import chords, lines_of
 from starskel.reading.wanted import Wanted
 from starskel.shapes.shape import Shape
 
@@ -46,6 +45,7 @@ def read(content: bytes, wanted: Wanted) -> Reading:
     """
     root = _scanned(content)
     notes = _notes(root)
+    _tidy(root)
     try:
         drawing = svgelements.SVG.parse(io.BytesIO(ElementTree.tostring(root)), reify=True)
         elements = [element for element in drawing.elements() if isinstance(element, svgelements.Shape)]
@@ -65,7 +65,7 @@ def read(content: bytes, wanted: Wanted) -> Reading:
 
 
 def _scanned(content: bytes) -> ElementTree.Element:
-    """Give the file's tree without what is not drawn; symbols stand in a definition, where they are found."""
+    """Give the file's tree."""
     try:
         check_content(content)
         root: ElementTree.Element = defusedxml.ElementTree.fromstring(content)
@@ -79,19 +79,30 @@ def _scanned(content: bytes) -> ElementTree.Element:
         ) from error
     if root.tag.removeprefix(_SPACE) != "svg":
         raise InvalidFile(told("the file is no SVG"), told("save it as plain SVG"))
-    check_tree(root)
-    tidy_styles(root)
+    return root
+
+
+def _tidy(root: ElementTree.Element) -> None:
+    """Leave what is drawn; symbols stand in a definition, where they are found.
+
+    Raises
+    ------
+    InvalidFile
+        If that is too much.
+    """
     definitions = ElementTree.Element(f"{_SPACE}defs")
     for parent in list(root.iter()):
-        for child in list(parent):
-            name = child.tag.removeprefix(_SPACE) if isinstance(child.tag, str) else ""
-            if name in _ASIDE:
-                parent.remove(child)
-            elif name == "symbol":
-                parent.remove(child)
-                definitions.append(child)
+        names = [child.tag.removeprefix(_SPACE) if isinstance(child.tag, str) else "" for child in parent]
+        definitions.extend(child for child, name in zip(parent, names, strict=True) if name == "symbol")
+        parent[:] = [
+            child
+            for child, name in zip(parent, names, strict=True)
+            if name not in {*_ASIDE, *_LEFT_OUT, "symbol"}
+        ]
     root.insert(0, definitions)
-    return root
+    without_idle_attributes(root)
+    check_tree(root)
+    tidy_styles(root)
 
 
 def _notes(root: ElementTree.Element) -> tuple[str, ...]:
@@ -106,11 +117,7 @@ def _found(element: svgelements.Shape, number: int, tolerance: float) -> Iterato
     if element.values.get("visibility") == "hidden" or not (filled or stroked):
         return
     path = svgelements.Path(element).reify()
-    box = path.bbox()
-    if box is None:
-        return
-    reach = tolerance * max(box[2] - box[0], box[3] - box[1])
-    lines = [line for part in path.as_subpaths() if len(line := _line(svgelements.Path(part), reach)) > 1]
+    lines, reach = lines_of(path, tolerance)
     made = _fill(element, lines) if filled else _stroke(element, lines, reach)
     if made is not None:
         tag = str(element.values.get("tag") or "path")
@@ -155,50 +162,8 @@ def _curve(line: Floats) -> shapely.Geometry:
 
 def _quarter(radius: float, reach: float) -> int:
     """Give into how many chords a quarter of a circle is cut so that none leaves it by more than `reach`."""
-    return min(_chords(np.pi / 2, radius, reach), _ARCS)
-
-
-def _chords(angle: float, radius: float, reach: float) -> int:
-    if not 0 < reach < radius:
-        return max(ceil(angle / (np.pi / 2)), 1)
-    return max(ceil(angle / 2 / acos(1 - reach / radius)), 1)
+    return min(chords(np.pi / 2, radius, reach), _ARCS)
 
 
 def _painted(paint: svgelements.Color | None) -> bool:
     return paint is not None and paint.value is not None and bool(paint.alpha)
-
-
-def _line(path: svgelements.Path, reach: float) -> Floats:
-    """Give a subpath as points, y up; the last is the first where it is closed."""
-    points: list[Floats] = []
-    for segment in path:
-        if isinstance(segment, svgelements.Move):
-            points = [np.array([_place(segment.end)])]
-            continue
-        if segment.start is None or segment.end is None:
-            continue
-        if isinstance(segment, svgelements.Close) and segment.start == segment.end:
-            continue  # it is no vertex of its own
-        is_arc = isinstance(segment, svgelements.Arc)
-        points.append(_arc(segment, reach) if is_arc else flattened(_control(segment), reach))
-    return np.concatenate(points) if points else np.empty((0, 2))
-
-
-def _arc(arc: svgelements.Arc, reach: float) -> Floats:
-    """Give points on an arc of an ellipse behind its start; a chord over 2 a is off by r (1 - cos a)."""
-    radius = max(float(arc.rx), float(arc.ry))
-    count = _chords(abs(float(arc.sweep)), radius, reach)
-    points = [_place(arc.point(k / count)) for k in range(1, count)]
-    return np.array([*points, _place(arc.end)])
-
-
-def _control(curve: svgelements.PathSegment) -> Floats:
-    inner = {
-        svgelements.QuadraticBezier: lambda: [curve.control],
-        svgelements.CubicBezier: lambda: [curve.control1, curve.control2],
-    }.get(type(curve), list)()
-    return np.array([_place(point) for point in (curve.start, *inner, curve.end)])
-
-
-def _place(point: svgelements.Point) -> tuple[float, float]:
-    return float(point.x), 0.0 - float(point.y)

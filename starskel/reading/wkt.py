@@ -7,7 +7,7 @@ import numpy as np
 import shapely
 
 from starskel.errors import InvalidFile, told
-from starskel.limits import DEPTH, DRAWING_BYTES, DRAWING_NUMBERS, DRAWING_SHAPES, RING_VERTICES, check_limit
+from starskel.limits import DEPTH, DRAWING_BYTES, DRAWING_SHAPES, DRAWING_VALUES, RING_VERTICES, check_limit
 from starskel.reading.areas import area_of
 from starskel.reading.found import Found, Reading
 from starskel.reading.wanted import Wanted
@@ -72,16 +72,16 @@ def _begins(content: bytes) -> list[int]:
     """Give where geometries, and names of their coordinate systems, begin."""
     begins: list[int] = []
     depth, words, place = 0, 0, _OUTSIDE.search(content)
-    while place and depth >= 0:
+    while place and 0 <= depth <= DEPTH and words <= DRAWING_VALUES and len(begins) <= DRAWING_SHAPES:
         word = place.group().upper()
         depth += {b"(": 1, b")": -1}.get(word, 0)
         words += word.isalpha()
         if word.isalpha() and _is_begin(word):
             begins.append(place.start())
-        check_limit(told("the WKT"), told("nested brackets"), depth, DEPTH)
-        check_limit(told("the WKT"), told("words"), words, DRAWING_NUMBERS)
-        check_limit(told("the WKT"), told("shapes"), len(begins), DRAWING_SHAPES)
         place = (_INSIDE if depth else _OUTSIDE).search(content, place.end())
+    check_limit(told("the WKT"), told("nested brackets"), depth, DEPTH)
+    check_limit(told("the WKT"), told("words"), words, DRAWING_VALUES)
+    check_limit(told("the WKT"), told("shapes"), len(begins), DRAWING_SHAPES)
     return begins
 
 

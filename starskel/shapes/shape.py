@@ -5,12 +5,13 @@ from typing import Any, TypeAlias, Union
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 
 from starskel.arguments import items, whole_number
 from starskel.correspondence import PolygonLike
 from starskel.errors import InvalidPolygon, told
-from starskel.polygon import Polygon
-from starskel.predicates import segments_meet
+from starskel.polygon import Polygon, edge_blocks
+from starskel.predicates import Floats, segments_meet
 
 ShapeLike: TypeAlias = Union["Shape", shapely.Geometry, Polygon, Iterable[PolygonLike]]
 Part: TypeAlias = tuple[PolygonLike, Sequence[PolygonLike]]
@@ -175,11 +176,20 @@ def _ring(given: PolygonLike, number: int) -> Polygon:
 
 def _nested(rings: Sequence[Polygon]) -> tuple[int, ...]:
     """Give for each ring inside an odd number of others the smallest of these, -1 for the others."""
-    around = [
-        [k for k, other in enumerate(rings) if k != own and _inside(ring, other)]
-        for own, ring in enumerate(rings)
-    ]
+    areas = _areas(rings)
+    around: list[list[int]] = [[] for _ in rings]
+    for own, k in shapely.STRtree(areas).query(_first(rings), predicate="within").T.tolist():
+        if k != own and _inside(rings[own], rings[k]):
+            around[own].append(k)
     return tuple(min(others, key=lambda k: rings[k].area) if len(others) % 2 else -1 for others in around)
+
+
+def _areas(rings: Sequence[Polygon]) -> NDArray[np.object_]:
+    return np.array([shapely.Polygon(ring.vertices) for ring in rings], dtype=object)
+
+
+def _first(rings: Sequence[Polygon]) -> NDArray[np.object_]:
+    return np.asarray(shapely.points(np.array([ring.vertices[0] for ring in rings]).reshape(-1, 2)))
 
 
 def _inside(ring: Polygon, other: Polygon) -> bool:
@@ -197,19 +207,65 @@ def meet(first: Polygon, second: Polygon) -> bool:
     return bool(segments_meet(ends[0][0][i], ends[0][1][i], ends[1][0][j], ends[1][1][j]).any())
 
 
+def rings_meet(rings: Sequence[Floats]) -> bool:
+    """Tell whether edges of different rings cross or touch, exactly.
+
+    Parameters
+    ----------
+    rings : sequence of (n, 2) arrays
+    """
+    starts = np.concatenate(rings)
+    ends = np.concatenate([np.roll(ring, -1, axis=0) for ring in rings])
+    owner = np.repeat(np.arange(len(rings)), [len(ring) for ring in rings])
+    edges = shapely.linestrings(np.stack([starts, ends], axis=1))
+    tree = shapely.STRtree(edges)
+    for block in edge_blocks(starts, ends):
+        i, j = tree.query(edges[block])
+        i = block[i]
+        i, j = i[owner[i] < owner[j]], j[owner[i] < owner[j]]
+        if segments_meet(starts[i], ends[i], starts[j], ends[j]).any():
+            return True
+    return False
+
+
 def _check(shape: Shape) -> None:
     if not shape.rings:
         raise InvalidPolygon("a shape without rings", "give at least one")
-    for outline in shape.outlines:
-        holes = shape.holes(outline)
-        for number, hole in enumerate(holes):
-            if not _inside(shape.rings[hole], shape.rings[outline]):
-                raise InvalidPolygon(
-                    f"ring {hole}, a hole, does not lie inside ring {outline}",
-                    "move it, or give it as a part",
-                )
-            for other in holes[:number]:
-                _check_apart(shape, other, hole)
+    holes: dict[int, list[int]] = {}
+    for ring, outline in enumerate(shape.outer):
+        if outline >= 0:
+            holes.setdefault(outline, []).append(ring)
+    for outline, inner in holes.items():
+        if not _is_part(shape.rings[outline], [shape.rings[hole] for hole in inner]):
+            _blame(shape, outline, inner)
+
+
+def _is_part(outline: Polygon, holes: Sequence[Polygon]) -> bool:
+    """Tell whether all holes lie in the outline, apart from it and from each other."""
+    if rings_meet([outline.vertices, *(hole.vertices for hole in holes)]):
+        return False
+    first, areas = _first(holes), _areas(holes)
+    inside = shapely.contains(shapely.Polygon(outline.vertices), first)
+    nested = shapely.STRtree(areas).query(first, predicate="intersects").shape[1] - len(holes)
+    return bool(inside.all()) and not nested and all(hole.area < outline.area for hole in holes)
+
+
+def _blame(shape: Shape, outline: int, holes: Sequence[int]) -> None:
+    """Say which of the holes is at fault.
+
+    Raises
+    ------
+    InvalidPolygon
+        Naming the ring and its outline, or the two holes.
+    """
+    for number, hole in enumerate(holes):
+        if not _inside(shape.rings[hole], shape.rings[outline]):
+            raise InvalidPolygon(
+                f"ring {hole}, a hole, does not lie inside ring {outline}",
+                "move it, or give it as a part",
+            )
+        for other in holes[:number]:
+            _check_apart(shape, other, hole)
 
 
 def _check_apart(shape: Shape, first: int, second: int) -> None:
