@@ -3724,6 +3724,10 @@
         <translation>Löcher liegen nicht in ihrem Teil bei t = {times}.</translation>
     </message>
     <message>
+        <source>No ring crosses itself or another one: proven for every t.</source>
+        <translation>Kein Ring schneidet sich oder einen anderen: bewiesen für jedes t.</translation>
+    </message>
+    <message>
         <source>No part crosses itself, and holes stay inside.</source>
         <translation>Kein Teil überkreuzt sich, und Löcher bleiben innen.</translation>
     </message>

@@ -39,6 +39,8 @@ class ShapeReport:
         How much of the parts' area lies on other parts, as a part of the mean of the areas at the ends.
     proven : bool
         Whether `simple` is known for every t: of certified blends, and where a crossing was found.
+    how : str
+        How a certified blend came about, as `Way` says it; empty for others.
 
     Examples
     --------
@@ -61,6 +63,7 @@ class ShapeReport:
     length_deviations: Floats
     overlaps: Floats
     proven: bool
+    how: str = ""
 
     @property
     def simple(self) -> bool:
@@ -124,6 +127,7 @@ def measure_shapes(blend: ShapeBlend, times: Floats, task: Task) -> ShapeReport:
         length_deviations=lengths,
         overlaps=overlaps / whole.mean(),
         proven=isinstance(blend, CertifiedShapeBlend) or bool((crosses | strays).any()),
+        how=str(blend.how) if isinstance(blend, CertifiedShapeBlend) else "",
     )
 
 

@@ -11,6 +11,7 @@ from typing import NoReturn
 
 import numpy as np
 
+from starskel.blending.certified import CertifiedBlend, Way
 from starskel.blending.certified.gaps import narrowed
 from starskel.blending.certified.keys import Chain, Guide, Key, between, chains_between
 from starskel.errors import StarskelError
@@ -40,8 +41,9 @@ class CertifiedShapeBlend(ShapeBlend):
     ----------
     key_times : (k,) array
         When the keyframes are, from 0 to 1.
-    repaired : bool
-        Whether rings would have met on the way, and a morph of all rings was taken there.
+    how : Way
+        A convex morph where rings would have met on the way, and a morph of all rings was taken there; else
+        the same as of the part that took the most.
     meeting_parts : tuple of (int, int)
         The bodies that meet in the source or the target, and so may on the way.
 
@@ -59,7 +61,9 @@ class CertifiedShapeBlend(ShapeBlend):
         self._stops = np.cumsum([len(body.part.pair) for body in bodies])[:-1]
         rings = JointRings([body.part for body in bodies])
         self.meeting_parts = rings.meeting
-        keys, self.repaired = _Proof(rings, self._all_rows, _names(bodies)).keys(task)
+        keys, morphed = _Proof(rings, self._all_rows, _names(bodies)).keys(task)
+        ways = {body.blend.how for body in bodies if isinstance(body.blend, CertifiedBlend)}
+        self.how = Way.CONVEX if morphed else max(ways, key=list(Way).index, default=Way.AS_IT_IS)
         self.key_times = np.array([key.t for key in keys])
         self._keys = self.key_times, np.stack([key.frame for key in keys])
 

@@ -84,7 +84,10 @@ def _shape_crossings(report: "ShapeReport") -> list[str]:
         )
         if frames
     ]
-    if not lines:
+    if not lines and report.proven:
+        lines.append(translate("Verdict", "No ring crosses itself or another one: proven for every t."))
+        lines += _origin(report.how)
+    elif not lines:
         lines.append(translate("Verdict", "No part crosses itself, and holes stay inside."))
     if report.overlap > HARDLY:
         overlap = figure(percent(report.overlap))
@@ -110,6 +113,14 @@ def _crossings(report: "Report") -> list[str]:
 
 def _certificate(report: "Report") -> list[str]:
     """Say how a certified blend came about, and how far vertices stay from edges."""
+    lines = _origin(report.how)
+    if report.clearance is not None:
+        text = translate("Verdict", "Vertices stay {d} units or more away from other edges.")
+        lines.append(text.format(d=figure(f"{report.clearance:.2g}")))
+    return lines
+
+
+def _origin(how: str) -> list[str]:
     ways = {
         "as stitched": translate("Verdict", "These are the frames of the stitched blend."),
         "repaired": translate("Verdict", "Where the stitched blend crosses itself, it is repaired."),
@@ -117,11 +128,7 @@ def _certificate(report: "Report") -> list[str]:
             "Verdict", "No near repair was found: a part of the time is a convex morph."
         ),
     }
-    lines = [ways[report.how]] if report.how in ways else []
-    if report.clearance is not None:
-        text = translate("Verdict", "Vertices stay {d} units or more away from other edges.")
-        lines.append(text.format(d=figure(f"{report.clearance:.2g}")))
-    return lines
+    return [ways[how]] if how in ways else []
 
 
 def crossing_rings(report: "AnyReport", t: float) -> frozenset[int]:

@@ -173,7 +173,7 @@ def test_certified_parts_that_would_pass_through_each_other_go_round_each_other(
     meeting = starskel.blend(pair, method="stitched", joined=False)
     assert starskel.measure(meeting, 21).overlaps.max() > 0.1
     blend = starskel.blend(pair, method="certified", joined=False)
-    assert blend.repaired
+    assert blend.how == "convex morph"
     for number, side in enumerate((source, target)):
         known = [k for k, link in enumerate(pairing) if link[number] is not None]
         rings = [side[pairing[k][number]] for k in known]
@@ -190,7 +190,7 @@ def test_holes_that_stitched_pushes_out_stay_inside_by_certified(seed):
     stitched = starskel.blend(pair, method="stitched")
     assert not all(stitched.shape_at(t).is_valid for t in times)
     blend = starskel.blend(pair, method="certified")
-    assert blend.repaired
+    assert blend.how == "convex morph"
     assert all(blend.shape_at(t).is_valid for t in times)
 
 
@@ -235,7 +235,8 @@ def test_shapely_goes_in_by_itself(given):
 
 
 def test_a_report_says_what_is_proven():
-    assert starskel.measure(blend_of("i-j", "certified"), 11).proven
+    report = starskel.measure(blend_of("i-j", "certified"), 11)
+    assert (report.proven, report.how) == (True, "as stitched")
     assert not starskel.measure(blend_of("i-j", "stitched"), 11).proven
 
 
