@@ -16,6 +16,7 @@ from starskel.command.progress import Progress
 from starskel.errors import InvalidFile, StarskelError
 from starskel.files.disk import write_bytes
 from starskel.files.documents import document_text
+from starskel.sheet.words import counted
 
 
 def run(arguments: Namespace) -> int:
@@ -38,7 +39,9 @@ def run(arguments: Namespace) -> int:
         print(document_text({"results": str(arguments.output / RESULTS), **counts}), end="")
     else:
         besides = f"; results of {gone} more that are no longer there" if gone else ""
-        print(f"{arguments.output / 'index.html'}: {counts['pairs']} pairs, {failed} failed{besides}")
+        print(
+            f"{arguments.output / 'index.html'}: {counted(counts['pairs'], 'pair')}, {failed} failed{besides}"
+        )
     return FAILED if failed else 0
 
 

@@ -10,6 +10,7 @@ from starskel.command import FAILED
 from starskel.command.holdings import NamedShape, check_texts, holdings
 from starskel.errors import StarskelError
 from starskel.files.documents import document_text
+from starskel.sheet.words import counted
 
 FORMAT = "starskel-info/1"
 
@@ -79,11 +80,11 @@ def _file(path: Path, texts: list[str]) -> _File:
 
 
 def _print(file: _File) -> None:
-    print(f"{file.path}: {file.kind}, {len(file.shapes)} shapes")
+    print(f"{file.path}: {file.kind}, {counted(len(file.shapes), 'shape')}")
     width = max((len(held.name) for held in file.shapes), default=0)
     for held in file.shapes:
-        holes = f", {held.holes} holes" if held.holes else ""
-        parts = f"{held.parts} parts, " if held.parts > 1 else ""
+        holes = f", {counted(held.holes, 'hole')}" if held.holes else ""
+        parts = f"{counted(held.parts, 'part')}, " if held.parts > 1 else ""
         left, bottom, right, top = held.box
         size = f"{right - left:.4g} x {top - bottom:.4g}"
         print(f"  {held.name:{width}}  {parts}{held.vertices} vertices{holes}, {size}, area {held.area:.4g}")

@@ -17,6 +17,7 @@ from starskel.files.project import AnyPair, letter
 from starskel.files.project_file import read_project
 from starskel.files.step import Step
 from starskel.images.placed import PlacedImage
+from starskel.reading.readers import ENDINGS
 from starskel.sheet.style import PartLook
 
 Pictures = tuple[PlacedImage | None, PlacedImage | None]
@@ -81,6 +82,11 @@ def opened(path: Path, step: int | None = None) -> Opened:
     InvalidFile
         If it is none of these, or cannot be read, or has no such step.
     """
+    if path.suffix.lower() in ENDINGS:
+        raise InvalidFile(
+            f"{path} holds shapes, but does not say which becomes which",
+            f"make a project of two of them: starskel convert {path} OTHER -o drawing.json",
+        )
     found = check_format(path, pairs.FORMAT, multi_pairs.FORMAT, image_pairs.FORMAT, project_file.FORMAT)
     if found == project_file.FORMAT:
         return _steps(path, step)

@@ -5,6 +5,7 @@ import os
 import shutil
 import subprocess
 import sys
+from importlib.metadata import version
 from pathlib import Path
 
 import pytest
@@ -88,3 +89,8 @@ def test_standard_output_can_be_written_to(tmp_path):
     piped = starskel(tmp_path, *words, "pipe.svg")
     assert piped.stdout == (tmp_path / "out.svg").read_text()
     assert (tmp_path / "pipe.svg").is_symlink()
+
+
+def test_the_version_is_that_of_the_package(tmp_path):
+    result = starskel(tmp_path, "--version")
+    assert (result.returncode, result.stdout) == (0, f"starskel {version('starskel')}\n")

@@ -108,7 +108,7 @@ def test_a_project_with_a_picture_moves_as_its_easing_says(pictures):
         (["pictures.json", "--step", "1", "-o", "x.gif"], "is no project and has no steps"),
         (["plain.json", "-o", "x.gif"], 'no picture behind the shapes of "plain"; place one'),
         (["pictures.json", "--id", "bax", "-o", "x.gif"], 'no pair "bax"; choose one of box'),
-        (["p.png", "-o", "x.gif"], "damaged"),
+        (["p.png", "-o", "x.gif"], "make a project of two of them: starskel convert p.png OTHER"),
         (["pictures.json", "--frames", "900", "-o", "x.png"], "is too large; take fewer"),
     ],
 )

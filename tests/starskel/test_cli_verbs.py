@@ -262,6 +262,8 @@ def test_steps_without_their_shapes_are_named_and_the_others_measured(capsys):
             'no pair "letter-TY"; choose one of letter-T-Y',
         ),
         (["measure", LETTERS, "--id", "letter-TY"], 'no pair "letter-TY"; choose one of letter-T-Y'),
+        (["render", HEART, "-o", "a.svg"], "starskel convert " + HEART + " OTHER -o drawing.json"),
+        (["measure", HEART], "holds shapes, but does not say which becomes which"),
         (["render", COAST, "-o", "a.bmp"], 'a.bmp ends in ".bmp"; end it in .svg or .eps or .ps'),
         (["render", COAST, "--layout", "sheet", "-o", "a"], 'a ends in ""; end it in .svg or .eps'),
         (
