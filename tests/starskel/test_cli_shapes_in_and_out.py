@@ -91,7 +91,7 @@ def test_info_names_shapes_and_goes_on_after_a_file_that_fails(capsys):
     assert main(["info", GEAR, "gone.svg", BUG]) == 2
     out, err = capsys.readouterr()
     assert "279 vertices" not in err
-    assert "1 holes" in out
+    assert "1 hole," in out
     assert "mended: it crossed" in out
     assert "gone.svg" in err
 
