@@ -39,8 +39,8 @@ class ShapeReport:
         How much of the parts' area lies on other parts, as a part of the mean of the areas at the ends.
     proven : bool
         Whether `simple` is known for every t: of certified blends, and where a crossing was found.
-    how : str
-        How a certified blend came about, as `Way` says it; empty for others.
+    how : str or None
+        How a certified blend came about, as `Way` says it; None for others.
 
     Examples
     --------
@@ -63,7 +63,7 @@ class ShapeReport:
     length_deviations: Floats
     overlaps: Floats
     proven: bool
-    how: str = ""
+    how: str | None = None
 
     @property
     def simple(self) -> bool:
@@ -127,7 +127,7 @@ def measure_shapes(blend: ShapeBlend, times: Floats, task: Task) -> ShapeReport:
         length_deviations=lengths,
         overlaps=overlaps / whole.mean(),
         proven=isinstance(blend, CertifiedShapeBlend) or bool((crosses | strays).any()),
-        how=str(blend.how) if isinstance(blend, CertifiedShapeBlend) else "",
+        how=blend.how if isinstance(blend, CertifiedShapeBlend) else None,
     )
 
 

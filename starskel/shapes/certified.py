@@ -11,7 +11,7 @@ from typing import NoReturn
 
 import numpy as np
 
-from starskel.blending.certified import CertifiedBlend, Way
+from starskel.blending.certified import Way
 from starskel.blending.certified.gaps import narrowed
 from starskel.blending.certified.keys import Chain, Guide, Key, between, chains_between
 from starskel.errors import StarskelError
@@ -62,8 +62,8 @@ class CertifiedShapeBlend(ShapeBlend):
         rings = JointRings([body.part for body in bodies])
         self.meeting_parts = rings.meeting
         keys, morphed = _Proof(rings, self._all_rows, _names(bodies)).keys(task)
-        ways = {body.blend.how for body in bodies if isinstance(body.blend, CertifiedBlend)}
-        self.how = Way.CONVEX if morphed else max(ways, key=list(Way).index, default=Way.AS_IT_IS)
+        taken = {body.blend.how for body in bodies}
+        self.how = Way.CONVEX if morphed else [way for way in Way if way in taken | {Way.AS_IT_IS}][-1]
         self.key_times = np.array([key.t for key in keys])
         self._keys = self.key_times, np.stack([key.frame for key in keys])
 

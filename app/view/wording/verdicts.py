@@ -120,7 +120,8 @@ def _certificate(report: "Report") -> list[str]:
     return lines
 
 
-def _origin(how: str) -> list[str]:
+def _origin(how: str | None) -> list[str]:
+    """Say how a certified blend came about."""
     ways = {
         "as stitched": translate("Verdict", "These are the frames of the stitched blend."),
         "repaired": translate("Verdict", "Where the stitched blend crosses itself, it is repaired."),
