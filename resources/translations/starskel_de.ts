@@ -3123,6 +3123,10 @@
         <translation>Filtern</translation>
     </message>
     <message>
+        <source>Word for: {side}</source>
+        <translation>Wort für: {side}</translation>
+    </message>
+    <message>
         <source>Mended: {what}</source>
         <translation>Ausgebessert: {what}</translation>
     </message>
@@ -3792,6 +3796,17 @@
     <message>
         <source>&amp;Play</source>
         <translation>&amp;Abspielen</translation>
+    </message>
+</context>
+<context>
+    <name>WordField</name>
+    <message>
+        <source>Or write a word</source>
+        <translation>Oder ein Wort schreiben</translation>
+    </message>
+    <message>
+        <source>Set in this font, with kerning; each part of a letter becomes a part</source>
+        <translation>In dieser Schrift gesetzt, mit Unterschneidung; jeder Teil eines Buchstabens wird ein Teil</translation>
     </message>
 </context>
 <context>

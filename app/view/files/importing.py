@@ -134,7 +134,7 @@ class Importing(QObject):
         chooser = import_module("app.view.files.shape_chooser")
         sides = SIDES if aim.side is None else (aim.side,)
         chosen: Mapping[Side, Found] | None = chooser.chosen_shapes(
-            aim.path.name, reading, sides, self._window, optional=not aim.anew
+            aim.path, reading, sides, self._window, optional=not aim.anew
         )
         return chosen
 

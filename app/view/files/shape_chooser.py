@@ -1,6 +1,7 @@
 """Which of the shapes of a file become the source and the target: two lists of small pictures."""
 
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QModelIndex, QPersistentModelIndex, QRectF, QSize, Qt, Slot
 from PySide6.QtGui import QColor, QPainter
@@ -21,11 +22,13 @@ from PySide6.QtWidgets import (
 
 from app.model.marks import Side
 from app.view.asking import accepted
+from app.view.files.word_field import WordField
 from app.view.painting.theme import theme_of
 from app.view.painting.thumbnail import paint_shape
 from app.view.wording import words
 from app.view.wording.counts import COUNTS
 from starskel.reading.found import Found, Reading
+from starskel.reading.readers import format_of
 
 translate = QCoreApplication.translate
 
@@ -76,11 +79,9 @@ class ShapeList(QListWidget):
         self.setAccessibleName(words.side(side))
         if optional:
             self.addItem(translate("ShapeChooser", "Leave as it is"))
+        self._word: QListWidgetItem | None = None
         for found in shapes:
-            item = QListWidgetItem(str(words.retold(found.name)))
-            item.setData(SHAPE, found)
-            item.setToolTip("\n".join([item.text(), *(str(words.retold(own)) for own in found.repairs)]))
-            self.addItem(item)
+            self.addItem(_row(found))
 
     @property
     def chosen(self) -> Found | None:
@@ -88,6 +89,17 @@ class ShapeList(QListWidget):
         item = self.currentItem()
         found: Found | None = None if item is None or item.isHidden() else item.data(SHAPE)
         return found
+
+    def put_word(self, found: Found | None) -> None:
+        """Show this before all other shapes, in the place of the one put there before, and choose it."""
+        first = self.count() - len(self)
+        if self._word is not None:
+            self.takeItem(self.row(self._word))
+            self._word = None
+        if found is not None:
+            self._word = _row(found)
+            self.insertItem(first, self._word)
+            self.setCurrentItem(self._word)
 
     def choose(self, number: int) -> None:
         """Choose a shape by its number."""
@@ -106,16 +118,23 @@ class ShapeList(QListWidget):
             self.setCurrentRow(next((row for row in shown if self.item(row).data(SHAPE)), -1))
 
 
+def _row(found: Found) -> QListWidgetItem:
+    item = QListWidgetItem(str(words.retold(found.name)))
+    item.setData(SHAPE, found)
+    item.setToolTip("\n".join([item.text(), *(str(words.retold(own)) for own in found.repairs)]))
+    return item
+
+
 class ShapeChooser(QDialog):
-    """Lets the user choose a shape for each of the canvases that get one."""
+    """Lets the user choose a shape for each of the canvases that get one; of fonts write words, too."""
 
     def __init__(
-        self, name: str, reading: Reading, sides: Sequence[Side], parent: QWidget, *, optional: bool
+        self, path: Path, reading: Reading, sides: Sequence[Side], parent: QWidget, *, optional: bool
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Choose shapes"))
         self.resize(320 * len(sides) + 40, 560)
-        heading = QLabel(COUNTS.shapes_in(name, len(reading.shapes)))
+        heading = QLabel(COUNTS.shapes_in(path.name, len(reading.shapes)))
         heading.setWordWrap(True)
         self._filter = QLineEdit()
         self._filter.setPlaceholderText(self.tr("Filter"))
@@ -125,6 +144,8 @@ class ShapeChooser(QDialog):
         several = optional and len(sides) > 1
         self._lists = {side: ShapeList(side, reading.shapes, optional=several) for side in sides}
         self._mended = {side: QLabel() for side in sides}
+        writing = sides if format_of(path).module == "font" else ()
+        self._words = {side: WordField(path) for side in writing}
         columns = QHBoxLayout()
         for number, (side, own) in enumerate(self._lists.items()):
             columns.addLayout(self._column(side, own))
@@ -155,13 +176,21 @@ class ShapeChooser(QDialog):
     def _column(self, side: Side, own: ShapeList) -> QVBoxLayout:
         label, mended = QLabel(words.side(side)), self._mended[side]
         label.setBuddy(own)
+        word = self._words.get(side)
+        if word is not None:
+            word.setAccessibleName(self.tr("Word for: {side}").format(side=words.side(side)))
+            word.made.connect(own.put_word)
+            word.refused.connect(mended.setText)
+            word.pending_changed.connect(self._allow)
+            self.finished.connect(word.leave)
         mended.setWordWrap(True)
         mended.setMinimumHeight(3 * mended.fontMetrics().lineSpacing())
         mended.setAlignment(Qt.AlignmentFlag.AlignTop)
         own.itemDoubleClicked.connect(self.accept)
         column = QVBoxLayout()
-        for widget in (label, own, mended):
-            column.addWidget(widget)
+        for widget in (label, word, own, mended):
+            if widget is not None:
+                column.addWidget(widget)
         return column
 
     @Slot(str)
@@ -176,12 +205,18 @@ class ShapeChooser(QDialog):
             repairs = own.chosen.repairs if own.chosen is not None else ()
             what = "; ".join(str(words.retold(own)) for own in repairs)
             self._mended[side].setText(self.tr("Mended: {what}").format(what=what) if what else "")
-        self._buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(bool(self.chosen))
+        self._allow()
+
+    @Slot()
+    def _allow(self) -> None:
+        """Let the user go on once what is written has become a shape."""
+        pending = any(word.pending for word in self._words.values())
+        self._buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(bool(self.chosen) and not pending)
 
 
 def chosen_shapes(
-    name: str, reading: Reading, sides: Sequence[Side], parent: QWidget, *, optional: bool
+    path: Path, reading: Reading, sides: Sequence[Side], parent: QWidget, *, optional: bool
 ) -> Mapping[Side, Found] | None:
     """Ask for a shape for each side; None where the user thinks better of it."""
-    dialog = ShapeChooser(name, reading, sides, parent, optional=optional)
+    dialog = ShapeChooser(path, reading, sides, parent, optional=optional)
     return dialog.chosen if accepted(dialog) else None

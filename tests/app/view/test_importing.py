@@ -14,7 +14,12 @@ from PySide6.QtWidgets import QApplication, QDialogButtonBox, QLabel, QLineEdit,
 from app.model.selection import Selection
 from app.view.files.remembered import recent_files
 from app.view.files.shape_chooser import ShapeChooser, ShapeList
+from app.view.files.word_field import WordField
 from tests.app.driver import CONTROL, SQUARE, TRIANGLE, Driver, name_file
+
+FONT = next(Path("/usr/share/fonts").rglob("DejaVuSans.ttf"), Path("no font"))
+
+needs_font = pytest.mark.skipif(not FONT.exists(), reason="DejaVu Sans is not installed")
 
 ICONS = Path(__file__).parents[2] / "files" / "icons"
 
@@ -122,6 +127,30 @@ def test_a_name_typed_narrows_the_choice(driver: Driver) -> None:
     import_file(driver, "three.svg")
     in_chooser(driver, choose)
     assert driver.document.source is not None
+
+
+@needs_font
+def test_words_of_a_font_are_set_for_each_canvas(driver: Driver) -> None:
+    def choose(dialog: ShapeChooser) -> None:
+        words = dialog.findChildren(WordField)
+        (buttons,) = dialog.findChildren(QDialogButtonBox)
+        ok = buttons.button(QDialogButtonBox.StandardButton.Ok)
+        for field, text in zip(words, ("Ti", "\u4e00o"), strict=True):
+            field.insert(text)
+            assert not ok.isEnabled()
+            driver.wait(lambda field=field: not field.pending)
+        assert 'the font has no letter "\u4e00"' in said(dialog).casefold()
+        assert ok.isEnabled()
+        words[1].clear()
+        QTest.keyClicks(words[1], "oo")
+        driver.wait(lambda: not words[1].pending)
+        assert [own.chosen.name for own in lists(dialog) if own.chosen] == ["Ti", "oo"]
+        accept(dialog)
+
+    shutil.copy(FONT, "sans.ttf")
+    import_file(driver, "sans.ttf")
+    in_chooser(driver, choose)
+    assert [len(driver.document.shape(side)) for side in ("source", "target")] == [3, 4]
 
 
 def test_leaving_the_chooser_changes_nothing(driver: Driver) -> None:
