@@ -1,9 +1,10 @@
 # make run, make test and make bench set up all they need themselves; nothing has to be installed before but Python.
 PYTHON ?= python3
 BIN := .venv/bin
+READERS := project record pairs multi-pairs image-pairs svg geojson wkt font silhouette picture animation
 EXAMPLE := resources/examples/arm.json
 
-.PHONY: run test endurance translations bench setup qt clean
+.PHONY: run test endurance fuzz translations bench setup qt clean
 
 setup: .venv/installed
 
@@ -41,6 +42,9 @@ endurance: qt
 
 translations: setup
 	$(BIN)/python .ci/translations.py
+
+fuzz: setup
+	for reader in $(READERS); do $(BIN)/python -m tests.fuzzing $$reader || exit 1; done
 
 bench: setup
 	$(BIN)/python -m tests.benchmarks

@@ -1,9 +1,10 @@
 """Pictures as files: read within limits checked before memory is taken; written one by one or moving."""
 
+import contextlib
 import io
 import struct
 import warnings
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -57,8 +58,7 @@ def image_of(content: bytes, name: str = "the picture") -> Pixels:
     """
     check_limit(name, told("bytes"), len(content), PICTURE_BYTES)
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", Image.DecompressionBombWarning)  # the size is checked below
+        with _quiet():
             image = Image.open(io.BytesIO(content), formats=FORMATS)
     except UnidentifiedImageError:
         raise InvalidFile(
@@ -73,8 +73,9 @@ def image_of(content: bytes, name: str = "the picture") -> Pixels:
     if width * height > PICTURE_PIXELS or max(width, height) > PICTURE_SIDE:
         raise _too_large(name, told("{width} × {height}", width=width, height=height))
     try:
-        ImageOps.exif_transpose(image, in_place=True)
-        return _pixels(image)
+        with _quiet():
+            ImageOps.exif_transpose(image, in_place=True)
+            return _pixels(image)
     except _FAULTS as error:
         raise _damaged(name, error) from error
 
@@ -159,18 +160,39 @@ def read_animation(path: Path) -> tuple[list[Pixels], list[float]]:
     """
     content = read_bytes(path, PICTURE_BYTES)
     image_of(content, str(path))
-    with Image.open(io.BytesIO(content), formats=FORMATS) as image:
-        count = getattr(image, "n_frames", 1)
-        if count * image.width * image.height > PICTURE_PIXELS:
+    try:
+        with _quiet(), Image.open(io.BytesIO(content), formats=FORMATS) as image:
+            count = getattr(image, "n_frames", 1)
+            pictures = [
+                (_pixels(frame), frame.info.get("duration", 0) / 1000)
+                for frame in _fitting(image, count, path)
+            ]
+    except InvalidFile:
+        raise
+    except Image.DecompressionBombError:
+        raise _too_large(str(path), told("many more")) from None
+    except _FAULTS as error:
+        raise _damaged(str(path), error) from error
+    return [frame for frame, _ in pictures], [duration for _, duration in pictures]
+
+
+def _fitting(image: Image.Image, count: int, path: Path) -> Iterator[Image.Image]:
+    """Give the frames; each can be larger than those before it."""
+    for frame in ImageSequence.Iterator(image):
+        if count * frame.width * frame.height > PICTURE_PIXELS:
             size = told(
-                "{count} times {width} × {height}", count=count, width=image.width, height=image.height
+                "{count} times {width} × {height}", count=count, width=frame.width, height=frame.height
             )
             raise _too_large(str(path), size)
-        try:
-            frames = [(_pixels(f), f.info.get("duration", 0) / 1000) for f in ImageSequence.Iterator(image)]
-        except _FAULTS as error:
-            raise _damaged(str(path), error) from error
-    return [frame for frame, _ in frames], [duration for _, duration in frames]
+        yield frame
+
+
+@contextlib.contextmanager
+def _quiet() -> Iterator[None]:
+    """Take no warnings of Pillow: sizes are held to limits here, and what is damaged is told or mended."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        yield
 
 
 def _pixels(image: Image.Image) -> Pixels:

@@ -1,0 +1,36 @@
+"""Broken files of every kind: only errors of the library's own come of them, and no warning."""
+
+import contextlib
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from starskel import StarskelError
+from tests.fuzzing.mutations import broken
+from tests.fuzzing.readers import READERS, ROOT, Reader
+
+
+@pytest.mark.parametrize("reader", READERS.values(), ids=READERS)
+def test_valid_files_are_read(reader: Reader) -> None:
+    seeds = reader.seeds()
+    assert seeds
+    assert all(reader.read(seed) is not None for seed in seeds)
+
+
+@pytest.mark.parametrize("reader", READERS.values(), ids=READERS)
+@settings(max_examples=40, derandomize=True, database=None, suppress_health_check=[HealthCheck.too_slow])
+@given(data=st.data())
+def test_broken_files_are_read_or_refused(reader: Reader, data: st.DataObject) -> None:
+    with contextlib.suppress(StarskelError):
+        reader.read(data.draw(broken(reader.seeds())))
+
+
+FOUND = sorted((ROOT / "tests" / "files" / "broken").iterdir())
+
+
+@pytest.mark.parametrize("path", FOUND, ids=[path.name for path in FOUND])
+def test_what_was_found_stays_mended(path: Path) -> None:
+    with contextlib.suppress(StarskelError):
+        READERS[path.suffix.removeprefix(".")].read(path.read_bytes())
