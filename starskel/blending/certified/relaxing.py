@@ -9,6 +9,7 @@ import numpy as np
 from starskel.blending.certified.energy import Field
 from starskel.blending.certified.keys import Chain, Guide, Key, Linked, frames_at
 from starskel.blending.certified.room import Room
+from starskel.blending.certified.tracking import Allowance
 from starskel.certificate import safe
 from starskel.predicates import Floats
 from starskel.task import Task
@@ -21,6 +22,9 @@ SWEEPS = 3
 
 SHARES = (1.0, 0.5, 0.2, 0.1, 0.01, 1e-3)
 """Shares of the room that links may keep."""
+
+WORK = 60_000
+"""What moving keys may cost, as following does; in vertices of frames."""
 
 CAREFUL = 0.5
 """The part of a step that is taken: the keys on both sides have to follow."""
@@ -51,13 +55,13 @@ class Relaxing:
         frames, times = [key.frame for key in keys], np.array([key.t for key in keys])
         goals = frames_at(times, self.guide, len(frames[0]), task)
         asked = [self._asked(*link, task) for link in pairwise(frames)]
-        enough = _keep(frames, self.ample, task)
+        enough, allowance = _keep(frames, self.ample, task), Allowance(WORK)
         for sweep in range(SWEEPS):
             for first in (1, 2):  # every other key, so that it does not matter where the sweep begins
                 for k in range(first, len(keys) - 1, 2):
                     part = task.part(sweep / SWEEPS, 1)
                     part.reach(0)
-                    if enough[k - 1] and enough[k]:
+                    if (enough[k - 1] and enough[k]) or not allowance.take(len(goals[k])):
                         continue
                     around, links = frames[k - 1 : k + 2], slice(k - 1, k + 1)
                     frames[k] = self._better(around, asked[links], goals[k], part)
