@@ -89,21 +89,19 @@ class Job:
         progress = partial(self._report, result.method, step)
         try:
             for made in result.blend.improvements(progress=progress, should_stop=self._is_old):
-                result = self._measured(result.method, made)
+                result = self._measured(result.method, made, result)
                 yield result
         except Cancelled:
             raise
         except Exception as error:  # as above
             yield _failure(result.method, error)
-        else:
-            yield replace(result, settled=True)
 
-    def _measured(self, method: str, made: Blend | ShapeBlend) -> Result:
-        if isinstance(made, ShapeBlend):
-            rings = tuple(made.rings(SAMPLES))
-            return Result(method, made, measure(made, should_stop=self._is_old), rings, made.settled)
-        report = measure(made, should_stop=self._is_old)
-        return Result(method, made, report, (made.frames(SAMPLES),), made.settled)
+    def _measured(self, method: str, made: Blend | ShapeBlend, before: Result | None = None) -> Result:
+        """Measure a blend, unless it only settles what was measured before."""
+        samples = tuple(made.rings(SAMPLES))
+        if before is not None and all(map(np.array_equal, samples, before.samples)):
+            return replace(before, blend=made)
+        return Result(method, made, measure(made, should_stop=self._is_old), samples)
 
     def _blend(self, method: str, step: int) -> Blend:
         self._report(method, step, 0.0)

@@ -12,7 +12,6 @@ from starskel.blending import STEERED
 from starskel.files.step import Link
 from starskel.polygon import Polygon
 from starskel.predicates import Floats
-from starskel.shapes.correspondence import ShapeCorrespondence
 from starskel.shapes.shape_blend import ShapeBlend
 
 if TYPE_CHECKING:  # what blends is loaded by the worker, so that the window opens sooner
@@ -108,31 +107,31 @@ class Result:
     report : Report or ShapeReport
     samples : tuple of (k, n, 2) arrays
         For each link the rings at moments evenly spread over [0, 1].
-    settled : bool
-        Whether no better one will follow.
     """
 
     method: str
     blend: "Blend | ShapeBlend"
     report: "Report | ShapeReport"
     samples: tuple[Floats, ...]
-    settled: bool = True
+
+    @property
+    def settled(self) -> bool:
+        """Whether no better one will follow."""
+        return self.blend.settled
 
     @cached_property
     def pairs(self) -> "tuple[Correspondence, ...]":
         """For each link the correspondence of its rings."""
-        pair = self.blend.pair
-        return pair.ring_pairs if isinstance(pair, ShapeCorrespondence) else (pair,)
+        return self.blend.pair.ring_pairs
 
     def rings_at(self, t: float) -> list[Floats]:
         """Give for each link the ring at t."""
-        return self.blend.at(t) if isinstance(self.blend, ShapeBlend) else [self.blend.at(t)]
+        return [ring[0] for ring in self.blend.rings([t])]
 
     @property
     def outer(self) -> tuple[int, ...]:
         """For each link the one whose ring its own is a hole of, -1 for outlines."""
-        pair = self.blend.pair
-        return pair.outer if isinstance(pair, ShapeCorrespondence) else (-1,)
+        return self.blend.pair.outer
 
     @cached_property
     def box(self) -> Floats:

@@ -31,6 +31,8 @@ class EdgeAngleBlend(Blend):
         How readily each edge changes its length, as a part of the softest one's.
     """
 
+    method = "edge-angle"
+
     def __init__(self, pair: Correspondence) -> None:
         super().__init__(pair)
         self.edges = _turning_edges(pair)

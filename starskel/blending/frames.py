@@ -2,6 +2,7 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,7 +13,7 @@ from starskel.decomposition.pieces import Decomposition
 from starskel.errors import StarskelError
 from starskel.predicates import Floats
 from starskel.skeleton import Skeleton
-from starskel.task import Progress, ShouldStop
+from starskel.task import Progress, ShouldStop, Task
 
 _BATCH = 1 << 17
 """So many points are computed together: what they need stays in the processor's cache."""
@@ -21,10 +22,15 @@ _BATCH = 1 << 17
 class Blend(ABC):
     """A blend of two polygons: a polygon of as many vertices for every t in [0, 1].
 
+    What it shares with `ShapeBlend` can be used without telling them apart: `pair`, `method`, `rings`,
+    `negative_lengths`, `key_times`, `how`, `settled` and `improvements`.
+
     Attributes
     ----------
     pair : Correspondence
         The source, which is the frame at t = 0, and the target, at t = 1.
+    method : str
+        One of `starskel.METHODS`.
     decomposition : Decomposition or None
         The star pieces, where the method has them.
     skeleton : Skeleton or None
@@ -50,6 +56,7 @@ class Blend(ABC):
     1
     """
 
+    method: ClassVar[str]
     key_times: Floats | None = None
     how: str | None = None
     decomposition: Decomposition | None = None
@@ -88,6 +95,10 @@ class Blend(ABC):
         parts = [self._frames(times[k : k + step]) for k in range(0, len(times), step)]
         return np.concatenate(parts) if parts else np.empty((0, len(self.pair), 2))
 
+    def rings(self, ts: ArrayLike) -> list[Floats]:
+        """Give each ring, here the only one, at all of k times `ts`, a (k, n, 2) array for each."""
+        return [self.frames(ts)]
+
     def negative_lengths(self, ts: ArrayLike) -> NDArray[np.bool_]:
         """Tell at which of the times `ts` the method had to give some edge a negative length."""
         return np.zeros(len(checked_times(ts)), dtype=np.bool_)
@@ -97,8 +108,8 @@ class Blend(ABC):
     ) -> Iterator["Blend"]:
         """Give ever better blends: fewer frames cross themselves than of the one made at once and all before.
 
-        The last is what the blend is when it is settled; there is none where nothing better is found, as with
-        methods that settle at once.
+        The last is settled. Where nothing better is found it is the blend itself but for that; a blend that
+        is settled gives none.
 
         Parameters
         ----------
@@ -112,7 +123,11 @@ class Blend(ABC):
         Cancelled
             If ``should_stop`` answered True.
         """
-        yield from ()
+        return self._improvements(Task(progress, should_stop))
+
+    def _improvements(self, task: Task) -> Iterator["Blend"]:
+        """Give better blends, if the method has them, the last of which is settled."""
+        return iter(())
 
     @abstractmethod
     def _frames(self, ts: Floats) -> Floats:

@@ -14,6 +14,8 @@ class RigidBlend(FanBlend):
     What a triangle asks for counts by its area, in source and target alike.
     """
 
+    method = "rigid"
+
     def _prepared(self, fans: Fans, task: Task) -> Motion:
         self._fans = with_better_edges(fans, task)
         mesh = mesh_of(self._fans)

@@ -25,6 +25,8 @@ class StarSkeletonBlend(PieceBlend):
         Whole turns of the whole shape, counter-clockwise, besides what it needs to turn.
     """
 
+    method = "star-skeleton"
+
     def __init__(self, decomposition: Decomposition, root: int | None = None, turns: int = 0) -> None:
         super().__init__(decomposition, skeleton_of(decomposition, root))
         self._spokes = spokes_of(self.skeleton, turns)

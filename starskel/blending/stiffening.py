@@ -111,8 +111,10 @@ def plainest(graphs: Graphs, task: Task) -> Stitch:
     return Stitch.of(graph, edge_weights(graph.mesh, rung.on_ring, rung.yielding), rung.dial)
 
 
-def better(graphs: Graphs, task: Task) -> Iterator[Stitch]:
-    """Give stitches, each with fewer crossing frames than the plainest and all before; the last is the best.
+def better(graphs: Graphs, task: Task) -> Iterator[tuple[Stitch, bool]]:
+    """Give stitches, each with fewer crossing frames than the plainest and all before, and if it has none.
+
+    The last is the best.
 
     Parameters
     ----------
@@ -128,7 +130,7 @@ def better(graphs: Graphs, task: Task) -> Iterator[Stitch]:
     for number, rung in enumerate(LADDER):
         for crossings, stitch in _attempts(graphs, rung, task.part(number / len(LADDER), 1)):
             if crossings < fewest < np.inf:
-                yield stitch
+                yield stitch, not crossings
             fewest = min(fewest, crossings)
             if not crossings:
                 return

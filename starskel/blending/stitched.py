@@ -7,7 +7,7 @@ from starskel.blending.fan_blend import FanBlend, Motion
 from starskel.blending.fans import Fans
 from starskel.blending.stiffening import Graphs, better, plainest
 from starskel.decomposition.pieces import Decomposition
-from starskel.task import Progress, ShouldStop, Task
+from starskel.task import Task
 
 
 class StitchedBlend(FanBlend):
@@ -25,6 +25,8 @@ class StitchedBlend(FanBlend):
         Else the blend is there at once, and `improvements` gives the better ones.
     """
 
+    method = "stitched"
+
     def __init__(
         self,
         decomposition: Decomposition,
@@ -37,20 +39,23 @@ class StitchedBlend(FanBlend):
         super().__init__(decomposition, root, watched)
         self.settled = settled
         if settled:
-            for motion in self._better_motions(watched.part(0.1, 1)):
-                self._move_by(motion)
+            for stitch, _ in better(self._graphs, watched.part(0.1, 1)):
+                self._move_by(stitch.points)
 
-    def improvements(
-        self, *, progress: Progress | None = None, should_stop: ShouldStop | None = None
-    ) -> Iterator["StitchedBlend"]:
+    def _improvements(self, task: Task) -> Iterator["StitchedBlend"]:
         """Give blends with ever fewer crossing frames, while stiffening and other balances find some."""
-        for motion in self._better_motions(Task(progress, should_stop)):
-            improvement = copy(self)
-            improvement._move_by(motion)
-            yield improvement
-
-    def _better_motions(self, task: Task) -> Iterator[Motion]:
-        return (stitch.points for stitch in better(self._graphs, task))
+        if self.settled:
+            return
+        best = self
+        for stitch, is_simple in better(self._graphs, task):
+            best = copy(self)
+            best._move_by(stitch.points)
+            best.settled = is_simple
+            yield best
+        if not best.settled:
+            best = copy(best)
+            best.settled = True
+            yield best
 
     def _prepared(self, fans: Fans, task: Task) -> Motion:
         self._graphs = Graphs(fans, self.pair.starts, len(self.pair))

@@ -9,6 +9,8 @@ from starskel.predicates import Floats
 class VertexBlend(Blend):
     """Every vertex moves from the source to the target on a straight line, at constant speed."""
 
+    method = "vertex"
+
     key_times = np.array([0.0, 1.0])
 
     def _frames(self, ts: Floats) -> Floats:

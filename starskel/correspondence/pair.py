@@ -43,6 +43,16 @@ class Correspondence:
     target_vertices: NDArray[np.intp]
     starts: tuple[int, ...] = (0,)
 
+    @property
+    def ring_pairs(self) -> "tuple[Correspondence, ...]":
+        """For each ring of a frame its own correspondence: of polygons this one alone."""
+        return (self,)
+
+    @property
+    def outer(self) -> tuple[int, ...]:
+        """For each ring of a frame the ring that it is a hole of: of polygons -1, for none."""
+        return (-1,)
+
     @cached_property
     def following(self) -> Indices:
         """For each row the one after it on its ring."""

@@ -7,10 +7,7 @@ import csv
 import io
 from collections.abc import Iterator
 
-from starskel.blending.frames import Blend
 from starskel.export.film import Film
-from starskel.predicates import Floats
-from starskel.shapes.shape_blend import ShapeBlend
 from starskel.task import Task
 
 HEAD = ("method", "step", "time", "t", "ring", "outer", "vertex", "x", "y")
@@ -31,13 +28,7 @@ def _rows(film: Film, task: Task) -> Iterator[tuple[object, ...]]:
         for time in film.settings.times:
             task.reach(0)
             step, t = track.at(time, film.settings.eased)
-            for number, (ring, outer) in enumerate(_rings(track.scenes[step].blend, t)):
-                for vertex, (x, y) in enumerate(ring.tolist()):
+            blend = track.scenes[step].blend
+            for number, (ring, outer) in enumerate(zip(blend.rings([t]), blend.pair.outer, strict=True)):
+                for vertex, (x, y) in enumerate(ring[0].tolist()):
                     yield track.name, step + 1, time, t, number, outer, vertex, x, y
-
-
-def _rings(blend: Blend | ShapeBlend, t: float) -> list[tuple[Floats, int]]:
-    """Give the rings at t, and for each the ring that it is a hole of."""
-    if isinstance(blend, ShapeBlend):
-        return list(zip(blend.at(t), blend.pair.outer, strict=True))
-    return [(blend.at(t), -1)]

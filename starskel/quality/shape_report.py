@@ -127,7 +127,7 @@ def measure_shapes(blend: ShapeBlend, times: Floats, task: Task) -> ShapeReport:
         length_deviations=lengths,
         overlaps=overlaps / whole.mean(),
         proven=isinstance(blend, CertifiedShapeBlend) or bool((crosses | strays).any()),
-        how=blend.how if isinstance(blend, CertifiedShapeBlend) else None,
+        how=blend.how,
     )
 
 

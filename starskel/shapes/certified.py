@@ -53,6 +53,8 @@ class CertifiedShapeBlend(ShapeBlend):
         Where rings must meet on the way, or shapes are as narrow as rounding.
     """
 
+    how: Way
+
     def __init__(
         self, pair: ShapeCorrespondence, bodies: tuple[Body, ...], tree: Tree | None, task: Task
     ) -> None:

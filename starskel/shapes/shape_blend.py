@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import shapely
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from starskel.blending.frames import checked_times, with_exact_ends
 from starskel.polar import as_points
@@ -26,11 +26,19 @@ class ShapeBlend:
     ----------
     pair : ShapeCorrespondence
     method : str
+        One of `starskel.METHODS`.
     bodies : tuple of Body
         The parts that move as one, each with its blend: a part with its holes, or by the method "edge-angle"
         each ring.
     meta_skeleton : MetaSkeleton or None
         What joins them; None where each part is interpolated separately.
+    key_times : (k,) array or None
+        The times between which every vertex moves evenly on a straight line, 0 and 1 included; None where
+        vertices move otherwise.
+    how : str or None
+        How the frames came about, where the method has several ways; None elsewhere.
+    settled : bool
+        Whether `improvements` has no better blend to come.
 
     Examples
     --------
@@ -39,9 +47,12 @@ class ShapeBlend:
     >>> blend = starskel.blend(frame, starskel.Shape([[(0, 0), (8, 0), (8, 8), (0, 8)]]))
     >>> [len(ring) for ring in blend.at(0.5)]
     [4, 4]
-    >>> round(blend.shape_at(0.5).area, 2), blend.shape_at(1).area
-    (57.18, 64.0)
+    >>> round(blend.shape_at(0.5).area), blend.shape_at(1).area
+    (57, 64.0)
     """
+
+    key_times: Floats | None = None
+    how: str | None = None
 
     def __init__(
         self, pair: ShapeCorrespondence, method: str, bodies: "tuple[Body, ...]", tree: Tree | None
@@ -65,11 +76,11 @@ class ShapeBlend:
         return all(body.blend.settled for body in self.bodies)
 
     def improvements(
-        self, progress: Progress | None = None, should_stop: ShouldStop | None = None
+        self, *, progress: Progress | None = None, should_stop: ShouldStop | None = None
     ) -> Iterator["ShapeBlend"]:
         """Go on improving the parts that are not settled, and give ever better blends.
 
-        The last is what the blend is when it is settled.
+        The last is settled; a blend that is settled gives none.
 
         Parameters
         ----------
@@ -83,10 +94,13 @@ class ShapeBlend:
         Cancelled
             If ``should_stop`` answered True.
         """
-        bodies, task = list(self.bodies), Task(progress, should_stop)
+        return self._improvements(Task(progress, should_stop))
+
+    def _improvements(self, task: Task) -> Iterator["ShapeBlend"]:
+        bodies = list(self.bodies)
         for number, body in enumerate(self.bodies):
             share = task.part(number / len(bodies), (number + 1) / len(bodies))
-            for better in body.blend.improvements(progress=share.reach, should_stop=should_stop):
+            for better in body.blend.improvements(progress=share.reach, should_stop=task.should_stop):
                 bodies[number] = replace(body, blend=better)
                 yield ShapeBlend(self.pair, self.method, tuple(bodies), self._tree)
 
@@ -123,6 +137,10 @@ class ShapeBlend:
         rows = self._exact_rows(times)
         own = [body.part.rings(part) for body, part in zip(self.bodies, rows, strict=True)]
         return [own[body][ring] for body, ring in (self._places[link] for link in self.pair.pairing)]
+
+    def negative_lengths(self, ts: ArrayLike) -> NDArray[np.bool_]:
+        """Tell at which of the times `ts` the method had to give some edge a negative length."""
+        return np.asarray(np.any([body.blend.negative_lengths(ts) for body in self.bodies], axis=0))
 
     def shape_at(self, t: float) -> shapely.MultiPolygon:
         """Give the parts at t that have an area, with their holes; not valid where rings meet."""

@@ -5,7 +5,7 @@ from functools import cached_property
 import numpy as np
 
 from starskel.blending.certified.keys import between
-from starskel.blending.certified.path import path
+from starskel.blending.certified.path import Way, path
 from starskel.blending.frames import Blend
 from starskel.blending.stitched import StitchedBlend
 from starskel.clearance import clearance
@@ -42,7 +42,10 @@ class CertifiedBlend(Blend):
         The keyframes; the first is the source and the last the target, to the bit.
     """
 
+    method = "certified"
+
     key_times: Floats
+    how: Way
 
     def __init__(
         self, decomposition: Decomposition, root: int | None = None, task: Task | None = None

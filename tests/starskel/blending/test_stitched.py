@@ -132,6 +132,7 @@ def test_a_blend_that_is_there_at_once_is_improved_until_it_is_simple():
     crossings = [cross_themselves(first.frames(TIMES)).mean()]
     assert crossings[0] > 0
     for better in first.improvements():
+        assert better.settled == (not cross_themselves(better.frames(TIMES)).any())
         crossings.append(cross_themselves(better.frames(TIMES)).mean())
         np.testing.assert_allclose(better.frames([0.0, 1.0]), first.frames([0.0, 1.0]), atol=1e-9)
     assert crossings[-1] == 0
@@ -142,7 +143,10 @@ def test_a_blend_that_is_there_at_once_is_improved_until_it_is_simple():
 def test_a_blend_that_is_simple_at_once_stays_as_it_is():
     decomposition = decomposition_of("run-walk")
     first = StitchedBlend(decomposition, settled=False)
-    assert list(first.improvements()) == []
+    (settled,) = first.improvements()
+    assert settled.settled
+    assert list(settled.improvements()) == []
+    np.testing.assert_array_equal(settled.frames(TIMES), first.frames(TIMES))
     np.testing.assert_array_equal(first.frames(TIMES), StitchedBlend(decomposition).frames(TIMES))
 
 

@@ -215,10 +215,31 @@ def test_holes_that_change_places_are_joined_by_bridges_that_bend():
     rings = [frame, [(10, 10), (20, 10), (15, 20)], [(40, 10), (50, 10), (45, 20)]]
     pair = starskel.match(Shape(rings), Shape(rings), [[(0, 0)]] * 3, pairing=[(0, 0), (1, 2), (2, 1)])
     blend = starskel.blend(pair, settled=False)
+    assert not blend.settled
+    better = list(blend.improvements())
+    assert [each.settled for each in better] == [False] * (len(better) - 1) + [True]
+    assert list(better[-1].improvements()) == []
     (body,) = blend.bodies
     assert faults(body.blend.decomposition) == []
     assert farthest(blend.at(0), rings) < 1e-9 * 60
     assert farthest(blend.at(1), [rings[0], rings[2], rings[1]]) < 1e-9 * 60
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_blends_of_polygons_and_of_shapes_are_used_alike(method):
+    ring, times = I[0], [0, 0.5, 1]
+    pair = starskel.match(ring, ring)
+    of_polygons = starskel.blend(pair, method=method)
+    of_shapes = starskel.blend(starskel.match(Shape([ring]), Shape([ring])), method=method)
+    for blend in (of_polygons, of_shapes):
+        assert blend.method == method
+        assert [frames.shape for frames in blend.rings(times)] == [(3, 4, 2)]
+        assert blend.negative_lengths(times).tolist() == [False] * 3
+        assert (len(blend.pair.ring_pairs), blend.pair.outer) == (1, (-1,))
+        assert blend.settled
+        assert list(blend.improvements()) == []
+    assert of_polygons.how == of_shapes.how
+    assert (of_shapes.key_times is not None) == (method == "certified")
 
 
 def test_polygons_are_blended_as_ever():
