@@ -34,9 +34,9 @@ class Convex:
     @property
     def _ends(self) -> tuple[Indices, Indices, Indices]:
         """The first and last corners of the cells of which something is left, and which cells these are."""
-        some = np.flatnonzero(self.size)
+        (some,) = self.size.nonzero()  # methods: functions cost more than what they do to so few numbers
         size = self.size[some]
-        last = np.cumsum(size) - 1
+        last = size.cumsum() - 1
         return last - size + 1, last, some
 
     def chosen(self, cells: Indices) -> "Convex":
@@ -54,13 +54,13 @@ class Convex:
         first, last, some = self._ends
         following = np.arange(1, len(side) + 1)
         following[last] = first
-        crossing = np.flatnonzero(side * side[following] < 0)
+        (crossing,) = (side * side[following] < 0).nonzero()
         ahead = following[crossing]
         share = side[crossing] / (side[crossing] - side[ahead])
         met = self.corners[crossing] + share * (self.corners[ahead] - self.corners[crossing])
         kept &= (np.maximum.reduceat(side, first) > 0).repeat(self.size[some])
         corners = np.concatenate([self.corners[kept], met])
-        order = np.argsort(np.concatenate([np.flatnonzero(kept), crossing + 0.5]))
+        order = np.concatenate([*kept.nonzero(), crossing + 0.5]).argsort()
         count = kept.astype(np.intp)
         count[crossing] += 1
         size = np.zeros_like(self.size)
