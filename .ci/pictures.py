@@ -1,8 +1,9 @@
-"""Take the pictures of the editor anew that the README shows.
+"""Take the pictures of the editor anew that the README and the manual show.
 
     python .ci/pictures.py [FOLDER]
 
-They go into FOLDER, by default resources/pictures. Drawn without a screen, in the colours of the light theme.
+They go into FOLDER, by default resources, as they lie there. Drawn without a screen, in the colours of
+the light theme.
 """
 
 import os
@@ -15,11 +16,13 @@ os.environ["QT_QPA_PLATFORM"] = "offscreen"  # before Qt is loaded
 
 from PIL import Image
 from PySide6.QtCore import QBuffer, QCoreApplication, QEvent, QEventLoop
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 
 from app.model.marks import Side
 from app.session import Session
 from app.tools.tool import Pointer
+from app.view.files.export_dialog import ExportDialog
+from app.view.files.exporting import stretches
 from app.view.main_window import MainWindow
 from app.view.painting.display import Layers
 from app.view.painting.theme import LIGHT, apply_theme
@@ -52,11 +55,21 @@ def editor_pictures(window: MainWindow) -> None:
     show(window, "figure-10-dog", 0.45, Layers(pictures=True))
 
 
-PICTURES: dict[str, Callable[[MainWindow], None]] = {
-    "editor.png": editor,
-    "editor-marks.png": editor_marks,
-    "editor-pictures.png": editor_pictures,
+def export(window: MainWindow) -> QWidget:
+    """Show the dialog that exports an arm."""
+    show(window, "arm", 0.45, Layers())
+    dialog = ExportDialog(stretches(window.session)[0], window.player, window.display, window)
+    dialog.resize(dialog.sizeHint())
+    return dialog
+
+
+PICTURES: dict[str, Callable[[MainWindow], QWidget | None]] = {
+    "pictures/editor.png": editor,
+    "pictures/editor-marks.png": editor_marks,
+    "pictures/editor-pictures.png": editor_pictures,
+    "manual/pictures/export.png": export,
 }
+"""What shows each: the window, or what is given."""
 
 
 def show(window: MainWindow, example: str, t: float, layers: Layers) -> None:
@@ -84,21 +97,22 @@ def main(folder: Path) -> None:
     window.resize(*SIZE)
     window.show()
     for name, prepare in PICTURES.items():
-        prepare(window)
+        shown = prepare(window) or window
         settle(window)
-        store(window, folder / name)
+        store(shown, folder / name)
     window.session.new()
     window.close()
 
 
-def store(window: MainWindow, path: Path) -> None:
+def store(widget: QWidget, path: Path) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
     buffer = QBuffer()
     buffer.open(QBuffer.OpenModeFlag.ReadWrite)
-    window.grab().save(buffer, "PNG")
+    widget.grab().save(buffer, "PNG")
     with Image.open(BytesIO(buffer.data().data())) as picture:
         few = picture.convert("RGB").quantize(COLOURS, Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
         few.save(path, optimize=True)
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "resources" / "pictures")
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "resources")

@@ -2193,6 +2193,10 @@
         <translation>Abstände wie abgespielt, mit Zeitverlauf</translation>
     </message>
     <message>
+        <source>Pi&amp;xels</source>
+        <translation>Pi&amp;xel</translation>
+    </message>
+    <message>
         <source>Each keyframe by itself</source>
         <translation>Jedes Schlüsselbild für sich</translation>
     </message>
@@ -2227,10 +2231,6 @@
     <message>
         <source>&amp;Time t</source>
         <translation>&amp;Zeit t</translation>
-    </message>
-    <message>
-        <source>Si&amp;ze</source>
-        <translation>&amp;Größe</translation>
     </message>
     <message>
         <source>Times are numbers from 0 to 1, set apart by spaces</source>

@@ -19,11 +19,15 @@ _DRAWING = (
 
 def add_render(parser: argparse.ArgumentParser) -> None:
     """Say what render understands."""
-    formats = ", ".join(f"{found.ending} ({found.name}: {', '.join(found.layouts)})" for found in FORMATS)
     parser.description = (
-        "Write what the editor's export writes, to the byte. The ending of OUT tells the format, and what it"
-        f" can hold: {formats}. Numbered formats write a file for each frame: OUT-0001 and so on."
+        "Write what the editor's export writes, to the byte; pictures alone: see morph.\n"
+        "The ending of OUT tells the format. Where that holds but one picture each of the\n"
+        "frames is a file: OUT-0001 and so on."
     )
+    names = [(found.ending, str(found.name), ", ".join(found.layouts)) for found in FORMATS]
+    lines = [f"  {ending:6} {name:13} {layouts}" for ending, name, layouts in names]
+    parser.epilog = "\n".join(["formats, and the layouts that each can hold:", *lines])
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
     _add_pair(parser)
     parser.add_argument("-o", "--output", type=Path, required=True, metavar="OUT", help="the file to write")
     _add_methods(parser, "this method; may be given again (stitched; in a sheet all)")

@@ -1,6 +1,6 @@
 """What to export: keyframes, pages, a sheet of all methods, what moves, or coordinates."""
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Slot
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Qt, Slot
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 
 from app.export import FORMATS, Choice, Layout, Stretch
 from app.view.files.look_fields import LookFields
-from app.view.files.motion_fields import MotionFields, dim_labels
+from app.view.files.motion_fields import MotionFields
 from app.view.files.overlay_fields import OverlayFields
 from app.view.files.times_field import TimesField
 from app.view.painting.display import Display
@@ -68,7 +68,7 @@ class ExportDialog(QDialog):
         self._t.setSingleStep(0.01)
         self._t.setValue(player.t)
         self._times = TimesField()
-        self._motion = MotionFields(player)
+        self._motion = MotionFields(player, self)
         self._can_be_whole = whole
         self._whole = QCheckBox(self.tr("The whole sequence"))
         self._whole.setToolTip(self.tr("From the first key shape to the last, once all steps are blended"))
@@ -113,7 +113,8 @@ class ExportDialog(QDialog):
         )
 
     def _arrange(self) -> None:
-        form = self._form = QFormLayout()
+        form = QFormLayout()
+        self._labels: dict[QWidget, QWidget] = {}
         form.setVerticalSpacing(8)
         for label, field in (
             (self.tr("&What"), self._layout_field),
@@ -123,9 +124,12 @@ class ExportDialog(QDialog):
             (self.tr("At t&hese times"), self._times),
             ("", self._eased),
             (self.tr("&Time t"), self._t),
-            (self.tr("Si&ze"), self._pixels),
+            *self._motion.rows,
+            (self.tr("Pi&xels"), self._pixels),
         ):
             form.addRow(label, field)
+            if label and (caption := form.labelForField(field)) is not None:
+                self._labels[field] = caption
             field.setAccessibleName(label.replace("&", "") or field.accessibleName())
         for box in (self._whole, self._eased):
             box.setAccessibleName(box.text())
@@ -141,12 +145,8 @@ class ExportDialog(QDialog):
         right.addStretch()
         columns = QHBoxLayout()
         columns.setSpacing(24)
-        left = QVBoxLayout()
-        left.addLayout(form)
-        left.addSpacing(12)
-        left.addLayout(self._motion)
-        left.addStretch()
-        columns.addLayout(left)
+        columns.addLayout(form)
+        columns.setAlignment(form, Qt.AlignmentFlag.AlignTop)
         columns.addLayout(right)
         layout = QVBoxLayout(self)
         layout.setSpacing(12)
@@ -167,7 +167,8 @@ class ExportDialog(QDialog):
         self._eased.setEnabled(layout != "frame" and (whole or not self._easing.even))
         self._t.setEnabled(layout == "frame")
         self._motion.offer(layout)
-        dim_labels(self._form)
+        for field, label in self._labels.items():
+            label.setEnabled(field.isEnabled())
         self._pixels.setEnabled(layout != "numbers")
         self._look.setEnabled(layout != "numbers")
         self._overlays.offer(drawn=layout not in ("numbers", "morph"))

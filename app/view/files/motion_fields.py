@@ -1,6 +1,7 @@
 """How exported films move: how long, whether back again, how many pictures, how true to their paths."""
 
-from PySide6.QtWidgets import QCheckBox, QFormLayout, QSpinBox
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QCheckBox, QSpinBox, QWidget
 
 from app.export import Layout
 from app.playback import Repeat
@@ -11,15 +12,12 @@ from starskel.export.settings import Settings
 
 _USUAL = Settings("animation")
 
-_ROLE = QFormLayout.ItemRole
 
-
-class MotionFields(QFormLayout):
+class MotionFields(QObject):
     """Asks for it; begins with what the player does."""
 
-    def __init__(self, player: Player) -> None:
-        super().__init__()
-        self.setVerticalSpacing(8)
+    def __init__(self, player: Player, parent: QWidget) -> None:
+        super().__init__(parent)
         self._seconds = DecimalField()
         self._seconds.setRange(bounds.DURATION.least, bounds.DURATION.most)
         self._seconds.setSuffix(self.tr(" s"))
@@ -39,14 +37,16 @@ class MotionFields(QFormLayout):
         self._tolerance.setToolTip(
             self.tr("How far vertices may stray between keys of SVG and Lottie, of the box of all frames")
         )
-        for label, field in (
+
+    @property
+    def rows(self) -> tuple[tuple[str, QWidget], ...]:
+        """The fields and their labels, to be put into a form."""
+        return (
             (self.tr("&Duration"), self._seconds),
             ("", self._returning),
             (self.tr("Pictures a &second"), self._rate),
             (self.tr("T&olerance"), self._tolerance),
-        ):
-            self.addRow(label, field)
-            field.setAccessibleName(label.replace("&", "") or field.accessibleName())
+        )
 
     @property
     def seconds(self) -> float:
@@ -73,13 +73,3 @@ class MotionFields(QFormLayout):
         for field in (self._seconds, self._returning, self._rate):
             field.setEnabled(layout in ("animation", "morph"))
         self._tolerance.setEnabled(layout == "animation")
-        dim_labels(self)
-
-
-def dim_labels(form: QFormLayout) -> None:
-    """Grey the label of each field that is greyed."""
-    for row in range(form.rowCount()):
-        items = (form.itemAt(row, role) for role in (_ROLE.LabelRole, _ROLE.FieldRole))
-        label, field = (None if item is None else item.widget() for item in items)
-        if label is not None and field is not None:
-            label.setEnabled(field.isEnabled())
