@@ -219,10 +219,15 @@ def _area(geometry: shapely.Geometry) -> shapely.MultiPolygon:
         return shapely.MultiPolygon()
     low, high = np.array([part.bounds for part in parts]).reshape(-1, 2, 2).transpose(1, 0, 2)
     least = _CRUMB * float((high.max(axis=0) - low.min(axis=0)).max()) ** 2
-    return shapely.MultiPolygon([_without_crumbs(part, least) for part in parts if part.area > least])
+    kept = [_without_crumbs(part, least) for part in parts if part.area > least]
+    return shapely.MultiPolygon([part for part in kept if not part.is_empty])
 
 
 def _without_crumbs(part: shapely.Polygon, least: float) -> shapely.Polygon:
+    """Give a part without small holes and repeated vertices; an empty one where nothing is left."""
     holes = [hole for hole in part.interiors if shapely.Polygon(hole).area > least]
-    outline, *inner = [_distinct(shapely.get_coordinates(ring)[:-1]) for ring in (part.exterior, *holes)]
-    return shapely.Polygon(outline, inner)
+    rings = [_distinct(shapely.get_coordinates(ring)[:-1]) for ring in (part.exterior, *holes)]
+    outline, *inner = [ring if len(ring) > 2 else None for ring in rings]
+    return shapely.Polygon(
+        outline, [ring for ring in inner if ring is not None] if outline is not None else None
+    )

@@ -5,17 +5,22 @@ the process must stay below half a gigabyte. With --atheris, where it is install
 """
 
 import argparse
+import faulthandler
 import resource
 import sys
 import time
 import warnings
 from collections import Counter
+from pathlib import Path
 
 from hypothesis import HealthCheck, Phase, given, seed, settings
 
 from starskel import StarskelError
 from tests.fuzzing.mutations import broken
 from tests.fuzzing.readers import READERS, Reader
+
+LAST = Path("build/fuzzing.input")
+"""Where the input lies that is being read: a crash leaves it there."""
 
 SECONDS = 2.0
 BYTES = 512 << 20
@@ -27,6 +32,7 @@ class Bound(Exception):  # noqa: N818 -- it says what was overstepped
 
 def check(reader: Reader, content: bytes, outcomes: Counter[str]) -> float:
     """Read an input; give the seconds that it took."""
+    LAST.write_bytes(content)
     start = time.process_time()
     try:
         reader.read(content)
@@ -85,6 +91,8 @@ parser.add_argument("--seed", type=int, default=0)
 parser.add_argument("--atheris", action="store_true", help="follow coverage in one reader")
 arguments = parser.parse_args()
 warnings.simplefilter("error")
+faulthandler.enable()
+LAST.parent.mkdir(exist_ok=True)
 resource.setrlimit(resource.RLIMIT_DATA, (2 * BYTES, 2 * BYTES))
 for name in arguments.readers:
     if arguments.atheris:
