@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from starskel.arrays import ReadOnlyArrays
 from starskel.predicates import Complex, Floats
 
 
@@ -18,7 +19,7 @@ def as_points(numbers: Complex) -> Floats:
 
 
 @dataclass(frozen=True, eq=False)
-class PolarVectors:
+class PolarVectors(ReadOnlyArrays):
     """Vectors by length and angle; each angle is one number that no multiple of 2 pi can be added to.
 
     Attributes

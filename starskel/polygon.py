@@ -8,6 +8,7 @@ import shapely
 from numpy.typing import ArrayLike, NDArray
 
 from starskel.arguments import whole_number
+from starskel.arrays import read_only
 from starskel.errors import InvalidPolygon, told
 from starskel.outline import signed_areas
 from starskel.predicates import LARGEST, ROUNDING, Floats, Indices, folds_back, orientation, segments_meet
@@ -63,8 +64,7 @@ class Polygon:
         if signed_areas(given) < 0:
             order = -order % len(given)
         self._order = order
-        self.vertices: Floats = given[order]
-        self.vertices.flags.writeable = False
+        self.vertices: Floats = read_only(given[order])
 
     def __len__(self) -> int:
         return len(self.vertices)

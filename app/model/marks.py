@@ -54,11 +54,6 @@ def followed(marks: Marks, side: Side, place: Place) -> Marks:
     )
 
 
-def reversed_marks(marks: Marks) -> Marks:
-    """Give the marks of the way back."""
-    return tuple((target, source) for source, target in marks)
-
-
 def composed(first: Marks, second: Marks) -> Marks:
     """Give the marks that lead by way of a shape between; those that end there are left out."""
     onward = dict(second)

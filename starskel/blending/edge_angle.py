@@ -8,6 +8,7 @@ between the shapes.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from starskel.arrays import read_only
 from starskel.blending.frames import Blend, checked_times, placed, with_exact_ends
 from starskel.correspondence import Correspondence
 from starskel.outline import edge_lengths, edge_vectors, turning_angles
@@ -36,9 +37,9 @@ class EdgeAngleBlend(Blend):
     def __init__(self, pair: Correspondence) -> None:
         super().__init__(pair)
         self.edges = _turning_edges(pair)
-        self.softness = _softness(edge_lengths(pair.source), edge_lengths(pair.target))
+        self.softness = read_only(_softness(edge_lengths(pair.source), edge_lengths(pair.target)))
         ends = np.array([0.0, 1.0])
-        self.errors = self._placed(ends) - np.stack([pair.source, pair.target])
+        self.errors = read_only(self._placed(ends) - np.stack([pair.source, pair.target]))
 
     def lengths(self, ts: ArrayLike) -> Floats:
         """Give the signed edge lengths at each of k times, (k, n): a negative edge runs backwards."""

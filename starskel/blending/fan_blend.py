@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from starskel.arrays import read_only
 from starskel.blending.fans import Fans, fans_of
 from starskel.blending.frame_mesh import FrameMesh
 from starskel.blending.frames import placed, with_exact_ends
@@ -54,7 +55,7 @@ class FanBlend(PieceBlend):
     def _move_by(self, motion: Motion) -> None:
         self._motion = motion
         ends = np.stack([self._fans.source, self._fans.target])
-        self.errors = self._placed(np.array([0.0, 1.0])) - ends
+        self.errors = read_only(self._placed(np.array([0.0, 1.0])) - ends)
 
     @property
     def mesh(self) -> FrameMesh:

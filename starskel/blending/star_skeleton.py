@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from starskel.arrays import read_only
 from starskel.blending.frame_mesh import FrameMesh
 from starskel.blending.frames import checked_times, with_exact_ends
 from starskel.blending.pieces import PieceBlend
@@ -36,7 +37,9 @@ class StarSkeletonBlend(PieceBlend):
         )
         self._order, self._firsts, self._counts = self._copies()
         ends = np.array([0.0, 1.0])
-        self.errors = self._unfolded(ends)[0] - np.stack([decomposition.source, decomposition.target])
+        self.errors = read_only(
+            self._unfolded(ends)[0] - np.stack([decomposition.source, decomposition.target])
+        )
 
     def skeleton_at(self, t: float) -> Floats:
         """Give the points of the unfolded tree at t: the k star origins, then the k - 1 mid-points."""

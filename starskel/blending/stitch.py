@@ -1,6 +1,6 @@
 """One linear least-squares problem over all fans, factored once; a product or two for every frame."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -116,10 +116,6 @@ class Stitch:
         held = np.zeros(len(graph.mesh.source))
         held[0] = weights.max()
         return cls(graph, weights, dial, factor(graph.mesh.edges, weights, held))
-
-    def dialled(self, dial: float) -> "Stitch":
-        """Give the same problem with another weight for areas."""
-        return replace(self, dial=dial)
 
     def points(self, ts: Floats) -> Complex:
         """Give all points of the mesh at each t, (k, m), up to a translation."""

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from starskel.arrays import read_only
 from starskel.blending.frames import Blend
 from starskel.predicates import Floats
 
@@ -11,7 +12,7 @@ class VertexBlend(Blend):
 
     method = "vertex"
 
-    key_times = np.array([0.0, 1.0])
+    key_times = read_only(np.array([0.0, 1.0]))
 
     def _frames(self, ts: Floats) -> Floats:
         t = ts[:, None, None]

@@ -1,7 +1,7 @@
 """From a few marks to a complete correspondence: align vertices, give new partners to those left alone."""
 
 from collections.abc import Iterable
-from typing import TypeAlias, TypeVar
+from typing import TypeAlias
 
 import numpy as np
 import shapely
@@ -18,7 +18,6 @@ from starskel.polygon import Polygon
 from starskel.predicates import Floats
 from starskel.task import ShouldStop, Task
 
-Number = TypeVar("Number", np.float64, np.intp)
 PolygonLike: TypeAlias = Polygon | shapely.Polygon | ArrayLike
 
 UNMARKED = 8
@@ -68,8 +67,8 @@ def match(
     else:
         points, vertices = _completed(rings, ("source", "target"), own, task)
     start = int(np.flatnonzero(vertices[0] == 0)[0])
-    source_ring, target_ring = (_read_only(np.roll(ring, -start, axis=0)) for ring in points)
-    source_rows, target_rows = (_read_only(np.roll(rows, -start)) for rows in vertices)
+    source_ring, target_ring = (np.roll(ring, -start, axis=0) for ring in points)
+    source_rows, target_rows = (np.roll(rows, -start) for rows in vertices)
     return Correspondence(source_ring, target_ring, given, source_rows, target_rows)
 
 
@@ -108,8 +107,3 @@ def _aligned(source: Floats, target: Floats, marks: list[Mark], task: Task) -> l
         matched.append((i, j))
         matched += [((i + 1 + k) % len(source), (j + 1 + m) % len(target)) for k, m in pairs]
     return matched
-
-
-def _read_only(array: NDArray[Number]) -> NDArray[Number]:
-    array.flags.writeable = False
-    return array

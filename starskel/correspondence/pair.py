@@ -7,12 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from starskel.arguments import instance
+from starskel.arrays import ReadOnlyArrays, read_only
 from starskel.errors import StarskelError
 from starskel.predicates import Floats, Indices
 
 
 @dataclass(frozen=True, eq=False)
-class Correspondence:
+class Correspondence(ReadOnlyArrays):
     """Two polygons with equally many vertices, row i of the one corresponding to row i of the other.
 
     Attributes
@@ -58,7 +59,7 @@ class Correspondence:
         """For each row the one after it on its ring."""
         rows = np.arange(1, len(self) + 1)
         rows[[*(start - 1 for start in self.starts[1:]), -1]] = self.starts
-        return rows
+        return read_only(rows)
 
     @property
     def exchanged(self) -> "Correspondence":

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from starskel.decomposition.clipping import boxes, cut_along
-from starskel.points import Points, points_of
-from starskel.predicates import ROUNDING, Floats, Indices, Relation
+from starskel.points import Points
+from starskel.predicates import Floats, Indices, Relation
 from starskel.rings import Rings, ranges
 from starskel.task import UNWATCHED, Task
 
@@ -34,12 +34,6 @@ def star_vertices(sides: Sequence[Points], rings: Rings, task: Task = UNWATCHED)
     stars = np.zeros(len(rings.rows), dtype=bool)
     stars[star] = True
     return stars
-
-
-def star_point(points: Points, ring: Indices, task: Task = UNWATCHED) -> Floats | None:
-    """Give a point strictly inside the kernel: the kernel's centroid; None where the kernel has no inside."""
-    ((places, areas),) = star_points([points], Rings.of([ring]), task)
-    return places[0] if areas[0] > 0 else None
 
 
 def star_points(sides: Sequence[Points], rings: Rings, task: Task = UNWATCHED) -> list[tuple[Floats, Floats]]:
@@ -83,17 +77,6 @@ def _round_once(points: Points, rings: Rings, places: Floats) -> Relation:
     turns = np.bincount(owner[above[after] & ~above], minlength=len(rings.counts))
     once: Relation = np.logical_and.reduceat(sides > 0, rings.first) & (turns == 1)
     return once
-
-
-def is_star_point(ring: Floats, place: Floats) -> bool:
-    """Tell whether a place, known up to rounding, sees the whole of a simple ring, its boundary included."""
-    points = points_of(ring)
-    turns = points.orientation(*(np.roll(np.arange(len(ring)), step) for step in (1, 0, -1)))
-    start = ring[np.flatnonzero(turns)]
-    edge = np.roll(start, -1, axis=0) - start
-    normal = np.stack([-edge[:, 1], edge[:, 0]], axis=1) / np.hypot(*edge.T)[:, None]
-    inward = (normal * (place - start)).sum(axis=1)
-    return bool((inward >= -ROUNDING * np.abs(ring).max()).all())
 
 
 def _kernels(corners: Floats, counts: Indices, task: Task) -> tuple[Floats, Floats]:

@@ -7,6 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from starskel.arguments import point
+from starskel.arrays import ReadOnlyArrays
 from starskel.correspondence import Correspondence
 from starskel.predicates import Floats
 
@@ -18,7 +19,7 @@ Around = tuple[int, tuple[Piece, ...]]
 
 
 @dataclass(frozen=True, eq=False)
-class Decomposition:
+class Decomposition(ReadOnlyArrays):
     """Compatible star decompositions of the two polygons of a pair (paper, section 2.4.1).
 
     Attributes

@@ -10,12 +10,11 @@ from collections import Counter
 
 import numpy as np
 
-from starskel.decomposition.kernel import is_star_point
 from starskel.decomposition.pieces import Decomposition, edges_of
 from starskel.outline import signed_areas
 from starskel.points import Points, points_of
 from starskel.polygon import crossing_edges
-from starskel.predicates import Floats, Indices
+from starskel.predicates import ROUNDING, Floats, Indices
 
 
 def faults(decomposition: Decomposition) -> list[str]:
@@ -58,6 +57,17 @@ def _piece_fault(points: Points, piece: Indices, origin: Floats) -> str:
         return "is not simple"
     if not signed_areas(ring) > 0:
         return "is not counter-clockwise"
-    if not is_star_point(ring, origin):
+    if not _sees_whole(ring, origin):
         return "is not seen whole from its origin"
     return ""
+
+
+def _sees_whole(ring: Floats, place: Floats) -> bool:
+    """Tell whether a place, known up to rounding, sees the whole of a simple ring, its boundary included."""
+    points = points_of(ring)
+    turns = points.orientation(*(np.roll(np.arange(len(ring)), step) for step in (1, 0, -1)))
+    start = ring[np.flatnonzero(turns)]
+    edge = np.roll(start, -1, axis=0) - start
+    normal = np.stack([-edge[:, 1], edge[:, 0]], axis=1) / np.hypot(*edge.T)[:, None]
+    inward = (normal * (place - start)).sum(axis=1)
+    return bool((inward >= -ROUNDING * np.abs(ring).max()).all())

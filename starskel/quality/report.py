@@ -6,13 +6,14 @@ from typing import ClassVar, Literal
 
 import numpy as np
 
+from starskel.arrays import ReadOnlyArrays
 from starskel.outline import Flags
 from starskel.predicates import Floats
 from starskel.quality.inside import Distortion
 
 
 @dataclass(frozen=True, eq=False)
-class Crossing:
+class Crossing(ReadOnlyArrays):
     """A moment at which the outline crosses or touches itself.
 
     Attributes
@@ -35,7 +36,7 @@ class Crossing:
 
 
 @dataclass(frozen=True, eq=False)
-class Report:
+class Report(ReadOnlyArrays):
     """How good a blend is, at k times evenly spread over [0, 1].
 
     Attributes

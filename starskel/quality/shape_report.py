@@ -6,6 +6,7 @@ from typing import ClassVar, Literal
 import numpy as np
 import shapely
 
+from starskel.arrays import ReadOnlyArrays
 from starskel.outline import Flags, cross_themselves, edge_lengths, signed_areas
 from starskel.predicates import Floats
 from starskel.quality.drift import length_deviations, linear
@@ -18,7 +19,7 @@ _VANISHED = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class ShapeReport:
+class ShapeReport(ReadOnlyArrays):
     """How good a blend of shapes is, at k times evenly spread over [0, 1].
 
     Attributes

@@ -11,6 +11,7 @@ from typing import NoReturn
 
 import numpy as np
 
+from starskel.arrays import read_only
 from starskel.blending.certified import Way
 from starskel.blending.certified.gaps import narrowed
 from starskel.blending.certified.keys import Chain, Guide, Key, between, chains_between
@@ -66,7 +67,7 @@ class CertifiedShapeBlend(ShapeBlend):
         keys, morphed = _Proof(rings, self._all_rows, _names(bodies)).keys(task)
         taken = {body.blend.how for body in bodies}
         self.how = Way.CONVEX if morphed else [way for way in Way if way in taken | {Way.AS_IT_IS}][-1]
-        self.key_times = np.array([key.t for key in keys])
+        self.key_times = read_only(np.array([key.t for key in keys]))
         self._keys = self.key_times, np.stack([key.frame for key in keys])
 
     def _all_rows(self, ts: Floats) -> Floats:

@@ -6,6 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
+from starskel.arrays import ReadOnlyArrays
 from starskel.correspondence import Correspondence
 from starskel.correspondence.marks import Mark
 from starskel.predicates import Floats
@@ -14,7 +15,7 @@ from starskel.shapes.shape import Shape
 
 
 @dataclass(frozen=True, eq=False)
-class PartPair:
+class PartPair(ReadOnlyArrays):
     """A part of the source and its partner, or a part alone and the point that it grows from or shrinks to.
 
     Attributes

@@ -13,12 +13,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import ReadOnlyArrays
 from starskel.polar import PolarVectors
 from starskel.predicates import Complex, Floats, segments_meet
 
 
 @dataclass(frozen=True, eq=False)
-class Tree:
+class Tree(ReadOnlyArrays):
     """A tree over parts, and how they turn.
 
     Attributes
@@ -37,7 +38,7 @@ class Tree:
 
 
 @dataclass(frozen=True, eq=False)
-class MetaSkeleton:
+class MetaSkeleton(ReadOnlyArrays):
     """A tree over the roots of parts.
 
     Attributes

@@ -4,7 +4,8 @@ from functools import cached_property
 
 import numpy as np
 
-from starskel.blending.certified.keys import between
+from starskel.arrays import read_only
+from starskel.blending.certified.keys import Key, between
 from starskel.blending.certified.path import Way, path
 from starskel.blending.frames import Blend
 from starskel.blending.stitched import StitchedBlend
@@ -57,12 +58,11 @@ class CertifiedBlend(Blend):
         watched = watched.part(0.4, 1)
         if _comes_second(self.pair.source, self.pair.target):
             keys, self.how = path(decomposition.exchanged, lambda ts: stitched.frames(1 - ts), watched)
-            self.key_times = 1 - np.array([key.t for key in keys[::-1]])
-            self.keys = np.stack([key.frame for key in keys[::-1]])
+            keys = [Key(1 - key.t, key.frame) for key in keys[::-1]]
         else:
             keys, self.how = path(decomposition, stitched.frames, watched)
-            self.key_times = np.array([key.t for key in keys])
-            self.keys = np.stack([key.frame for key in keys])
+        self.key_times = read_only(np.array([key.t for key in keys]))
+        self.keys = read_only(np.stack([key.frame for key in keys]))
 
     @cached_property
     def clearance(self) -> float:
