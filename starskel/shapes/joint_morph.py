@@ -21,8 +21,8 @@ from starskel.decomposition import decompose_quickly
 from starskel.errors import Cancelled, StarskelError
 from starskel.polar import as_complex, as_points
 from starskel.predicates import Complex, Floats, Indices
+from starskel.shapes.bridges import chain_of, halves
 from starskel.shapes.joint_rings import JointRings
-from starskel.shapes.regions import decompose_region
 from starskel.task import Task
 
 MARGINS = (1 / 32, 1 / 8, 1.0)
@@ -30,6 +30,12 @@ MARGINS = (1 / 32, 1 / 8, 1.0)
 
 LINKS = (32,)
 """How many links a morph has at first, over the whole time."""
+
+_Part = tuple[Indices, Fans]
+"""A simple polygon, as the rows of its outline, and its fans."""
+
+HALF_ROUND = 1e-6
+"""Turns that are less than this short of half a turn go counter-clockwise, either way."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,19 +107,24 @@ def _surroundings(
     """
     rows = np.concatenate([rings.rows_of(ring) for ring in layer])
     points = [as_complex(frame[rows]) for frame in frames]
-    turn = float(np.angle(np.vdot(points[0] - points[0].mean(), points[1] - points[1].mean())))
+    turn = _turn(*points)
     places = _place(points[0], 0.0), _place(points[1], turn)
-    both = [
-        np.concatenate([own, place.centre + place.scale * SQUARE])
-        for own, place in zip(points, places, strict=True)
-    ]
-    regions = list(_regions(rings, layer))
-    parts = []
+    squares = [place.centre + place.scale * SQUARE for place in places]
+    regions, parts = list(_regions(rings, layer)), []
     for number, region in enumerate(regions):
         share = task.part(number / len(regions), (number + 1) / len(regions))
-        parts.append((np.concatenate(region), fans_put(_fans(both, region, share), places)))
-    both = [place.put(side) for place, side in zip(places, both, strict=True)]
-    return joined(both, parts, places, turn)
+        both = [np.concatenate(side) for side in zip(points, squares, strict=True)]
+        bends, cut = _cut(both, region, share)
+        points = [np.concatenate(side) for side in zip(points, bends, strict=True)]
+        parts += [(own, fans_put(fans, places)) for own, fans in cut]
+    put = [np.concatenate([place.put(side), SQUARE]) for place, side in zip(places, points, strict=True)]
+    return joined(put, parts, places, turn)
+
+
+def _turn(before: Complex, after: Complex) -> float:
+    """Give by how much points turn as a whole; of half a turn rounding must not decide which way."""
+    turn = float(np.angle(np.vdot(before - before.mean(), after - after.mean())))
+    return turn + 2 * np.pi if turn < HALF_ROUND - np.pi else turn
 
 
 def _place(points: Complex, turn: float) -> Place:
@@ -133,14 +144,27 @@ def _regions(rings: JointRings, layer: list[int]) -> Iterator[list[Indices]]:
     for number, outline in enumerate(around):
         within = np.flatnonzero(nested[:, number] & (depth == depth[number] + 1))
         yield [outline, *(around[k][::-1] for k in within.tolist())]
-    square = sum(sizes) + np.arange(len(SQUARE))
+    square = np.arange(-len(SQUARE), 0)  # behind all points, however many there will be
     yield [square, *(around[k][::-1] for k in np.flatnonzero(depth == 0).tolist())]
 
 
-def _fans(both: list[Complex], region: list[Indices], task: Task) -> Fans:
+def _cut(both: list[Complex], region: list[Indices], task: Task) -> tuple[list[Complex], list[_Part]]:
+    """Cut a region into simple polygons and these into fans; new points are the bends of bridges."""
     rows = np.concatenate(region)
     source, target = (as_points(side[rows]) for side in both)
-    own = np.arange(len(rows))
-    starts = np.cumsum([0, *(len(ring) for ring in region[:-1])]).tolist()
-    pair = Correspondence(source, target, (), own, own, tuple(starts))
-    return fans_of(decompose_region(pair, task, decompose_quickly), task.quiet)
+    pair = _paired(source, target, [len(ring) for ring in region])
+    if len(region) == 1:
+        return [np.empty(0, dtype=np.complex128)] * 2, [(rows, fans_of(decompose_quickly(pair, task), task))]
+    chain = chain_of(pair, task.quiet)
+    names = np.concatenate([rows, len(both[0]) - len(SQUARE) + np.arange(chain.bends.shape[1])])
+    first, second = (np.concatenate(side) for side in zip((source, target), chain.bends, strict=True))
+    parts = []
+    for own in halves(pair, chain):
+        half = _paired(first[own], second[own], [len(own)])
+        parts.append((names[own], fans_of(decompose_quickly(half, task.quiet), task)))
+    return [as_complex(side) for side in chain.bends], parts
+
+
+def _paired(source: Floats, target: Floats, sizes: list[int]) -> Correspondence:
+    own = np.arange(len(source))
+    return Correspondence(source, target, (), own, own, tuple(np.cumsum([0, *sizes[:-1]]).tolist()))

@@ -1,7 +1,5 @@
 """Star pieces of regions with holes: those of both halves that the bridges leave, joined again."""
 
-from collections.abc import Callable
-
 import numpy as np
 
 from starskel.correspondence import Correspondence
@@ -11,15 +9,8 @@ from starskel.predicates import Floats, Indices
 from starskel.shapes.bridges import chain_of, halves
 from starskel.task import Task
 
-Cut = Callable[[Correspondence, Task], Decomposition]
-"""Decomposes a pair of simple polygons."""
 
-
-def _into_few(pair: Correspondence, task: Task) -> Decomposition:
-    return decompose(pair, progress=task.reach, should_stop=task.should_stop)
-
-
-def decompose_region(pair: Correspondence, task: Task, cut: Cut = _into_few) -> Decomposition:
+def decompose_region(pair: Correspondence, task: Task) -> Decomposition:
     """Cut both regions into compatible star pieces; a part without holes is decomposed as a polygon.
 
     Raises
@@ -30,7 +21,7 @@ def decompose_region(pair: Correspondence, task: Task, cut: Cut = _into_few) -> 
         If the task is told to stop.
     """
     if len(pair.starts) == 1:
-        return cut(pair, task)
+        return decompose(pair, progress=task.reach, should_stop=task.should_stop)
     chain = chain_of(pair, task.quiet)
     first, second = (
         np.concatenate([rows, bends])
@@ -40,7 +31,7 @@ def decompose_region(pair: Correspondence, task: Task, cut: Cut = _into_few) -> 
     for number, rows in enumerate(halves(pair, chain)):
         half = Correspondence(first[rows], second[rows], (), np.arange(len(rows)), np.arange(len(rows)))
         part = task.part(number / 2, (number + 1) / 2)
-        halved.append((rows, cut(half, part)))
+        halved.append((rows, decompose(half, progress=part.reach, should_stop=task.should_stop)))
     return _joined(pair, (first, second), halved)
 
 

@@ -184,6 +184,19 @@ def test_certified_parts_that_would_pass_through_each_other_go_round_each_other(
         assert len(parts.geoms) == sum(outer < 0 for outer in pair.outer)
 
 
+@pytest.mark.parametrize("angle", [0.0, 0.9272952180016122, 2.0])
+def test_bridges_pass_no_vertex_by_rounding_alone(angle):
+    """Feet of letters that stand on one line do so but for rounding where the line is turned."""
+    pair = starskel.match(
+        Shape(moved(_side_by_side(A, 100), angle)),
+        Shape(moved(_side_by_side(A, 107), angle)),
+        pairing=[(0, 2), (1, 3), (2, 0), (3, 1)],
+    )
+    blend = starskel.blend(pair, method="certified", joined=False)
+    assert blend.how == "convex morph"
+    assert all(blend.shape_at(t).is_valid for t in np.linspace(0, 1, 41))
+
+
 @pytest.mark.parametrize("seed", [2, 27])
 def test_holes_that_stitched_pushes_out_stay_inside_by_certified(seed):
     pair, times = holed_pair(seed), np.linspace(0, 1, 21)
