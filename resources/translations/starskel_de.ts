@@ -3660,6 +3660,18 @@
 <context>
     <name>Verdict</name>
     <message>
+        <source>simple, parts overlap by {p}, area {area}</source>
+        <translation>kreuzungsfrei, Teile überlappen um {p}, Fläche {area}</translation>
+    </message>
+    <message>
+        <source>simple, parts overlap by {p}</source>
+        <translation>kreuzungsfrei, Teile überlappen um {p}</translation>
+    </message>
+    <message>
+        <source>parts overlap</source>
+        <translation>Teile überlappen</translation>
+    </message>
+    <message>
         <source>simple, area {area}</source>
         <translation>kreuzungsfrei, Fläche {area}</translation>
     </message>

@@ -19,11 +19,21 @@ AnyReport: TypeAlias = Union["Report", "ShapeReport"]
 HARDLY = 1e-6
 """Moments nearer to each other count as one."""
 
+NOTABLE = 5e-3
+"""What parts overlap by more is told above a frame, as a part of their area."""
+
 
 def summaries(report: "AnyReport") -> tuple[str, ...]:
     """Give the verdict in a line that stands above a frame, and in shorter ones where there is less room."""
     area = figure(percent(report.area_deviation))
     kind = kind_of(report)
+    if report.of == "shape" and kind == "simple" and report.overlap > NOTABLE:
+        overlap = figure(percent(report.overlap))
+        return (
+            translate("Verdict", "simple, parts overlap by {p}, area {area}").format(p=overlap, area=area),
+            translate("Verdict", "simple, parts overlap by {p}").format(p=overlap),
+            translate("Verdict", "parts overlap"),
+        )
     if kind == "simple":
         return (
             translate("Verdict", "simple, area {area}").format(area=area),

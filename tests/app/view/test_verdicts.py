@@ -3,7 +3,7 @@ from dataclasses import replace
 import numpy as np
 
 from app.view.wording.verdicts import crossing_rings, crossing_spans, details, summaries
-from starskel import Polygon, Report, blend, measure
+from starskel import Polygon, Report, Shape, blend, match, measure
 from starskel.quality import Crossing
 
 SQUARE = Polygon([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -41,3 +41,13 @@ def test_spans_are_those_of_frames_of_a_kind_in_a_row() -> None:
 def test_a_crossing_between_frames_is_a_span_too() -> None:
     assert crossing_spans(crossing((0.123, None, False))) == [(0.123, 0.123, False)]
     assert "t = 0.123" in details(crossing((0.123, None, False)))
+
+
+def test_parts_that_lie_over_each_other_on_the_way_are_told() -> None:
+    far = Polygon(SQUARE.vertices + np.array([20, 0]))
+    shape = Shape([SQUARE, far])
+    marks = [[(k, k) for k in range(4)]] * 2
+    across = blend(match(shape, shape, marks, pairing=[(0, 1), (1, 0)]), method="vertex", joined=False)
+    beside = blend(match(shape, shape, pairing=[(0, 0), (1, 1)]), method="vertex")
+    assert summaries(measure(across))[0] == "simple, parts overlap by 50 %, area 0.0 %"
+    assert summaries(measure(beside))[0] == "simple, area 0.0 %"
