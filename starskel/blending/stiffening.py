@@ -46,7 +46,7 @@ LADDER = (
     Rung(on_ring=3, dial=0.95, yielding=1, flipped=True, rounds=1),
     Rung(on_ring=1, dial=0.95, yielding=1, flipped=False),
     Rung(on_ring=10, dial=0.95, yielding=0, flipped=False),
-    Rung(on_ring=0.1, dial=0.95, yielding=1, flipped=False),
+    Rung(on_ring=0.1, dial=0.95, yielding=0, flipped=False),
     Rung(on_ring=0.1, dial=0.95, yielding=0, flipped=True),
     Rung(on_ring=10, dial=0.95, yielding=1, flipped=False),
     Rung(on_ring=3, dial=0.95, yielding=1, flipped=True),
