@@ -148,7 +148,7 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
         As by `match`.
     StarskelError
         If something that is given is of a wrong kind; where a region is too narrow for bridges to its holes;
-        by "certified" where rings meet on the way.
+        by "certified" where rings have to meet on the way.
     Cancelled
         If ``should_stop`` answered True.
 

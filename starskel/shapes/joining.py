@@ -29,7 +29,7 @@ def blend_shapes(
     ------
     StarskelError
         Where a root is of no part, or a region too narrow for bridges to its holes; by "certified" where
-        rings meet on the way.
+        rings have to meet on the way.
     Cancelled
         If the task is told to stop.
     """

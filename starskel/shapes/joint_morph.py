@@ -154,14 +154,16 @@ def _cut(both: list[Complex], region: list[Indices], task: Task) -> tuple[list[C
     source, target = (as_points(side[rows]) for side in both)
     pair = _paired(source, target, [len(ring) for ring in region])
     if len(region) == 1:
-        return [np.empty(0, dtype=np.complex128)] * 2, [(rows, fans_of(decompose_quickly(pair, task), task))]
+        return [np.empty(0, dtype=np.complex128)] * 2, [
+            (rows, fans_of(decompose_quickly(pair, task), task.quiet))
+        ]
     chain = chain_of(pair, task.quiet)
     names = np.concatenate([rows, len(both[0]) - len(SQUARE) + np.arange(chain.bends.shape[1])])
     first, second = (np.concatenate(side) for side in zip((source, target), chain.bends, strict=True))
     parts = []
     for own in halves(pair, chain):
         half = _paired(first[own], second[own], [len(own)])
-        parts.append((names[own], fans_of(decompose_quickly(half, task.quiet), task)))
+        parts.append((names[own], fans_of(decompose_quickly(half, task.quiet), task.quiet)))
     return [as_complex(side) for side in chain.bends], parts
 
 
