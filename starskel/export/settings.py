@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 
+from starskel.arguments import whole_number
 from starskel.blending.frames import checked_times
 from starskel.errors import StarskelError
 from starskel.export import bounds
@@ -87,12 +88,19 @@ class Settings:
 def even_times(count: int) -> tuple[float, ...]:
     """Give a `count` of moments from 0 to 1, evenly spread.
 
+    Raises
+    ------
+    StarskelError
+        If it is no whole number, fewer than 2, as both ends are among them, or more than the longest
+        animation has.
+
     Examples
     --------
     >>> from starskel.export.settings import even_times
     >>> even_times(5)
     (0.0, 0.25, 0.5, 0.75, 1.0)
     """
+    count = whole_number(count, "the count of moments", 2, int(bounds.DURATION.most * bounds.RATE.most))
     return tuple(k / (count - 1) for k in range(count))
 
 

@@ -1,49 +1,16 @@
-"""What callers give of pictures, checked: numbers that are none are refused with what they were for."""
-
-from collections.abc import Sequence
+"""What callers give of pictures, checked."""
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from starskel.errors import StarskelError, either
+from starskel.arguments import finite
+from starskel.errors import StarskelError
 from starskel.limits import PICTURE_SIDE
-from starskel.predicates import Floats
 
 View = tuple[float, float, float, float]
 """A box in the document: left, bottom, right, top."""
 
 Size = tuple[int, int]
-
-
-def finite(given: ArrayLike, count: int, what: str) -> Floats:
-    """Give so many finite numbers.
-
-    Raises
-    ------
-    StarskelError
-        If these are none, or another number of them.
-    """
-    try:
-        numbers = np.asarray(given, dtype=np.float64)
-    except (TypeError, ValueError):
-        numbers = np.empty(0)
-    if numbers.shape != (count,) or not np.isfinite(numbers).all():
-        raise StarskelError(f"{given!r} is given for {what}", f"give {count} finite numbers")
-    return numbers
-
-
-def choice(given: object, choices: Sequence[str], what: str) -> None:
-    """Check that something is one of the choices.
-
-    Raises
-    ------
-    StarskelError
-        If it is not.
-    """
-    if given not in choices:
-        raise StarskelError(
-            f"{given!r} is given for {what}", f"give {either([repr(name) for name in choices])}"
-        )
 
 
 def checked_view(view: ArrayLike) -> View:

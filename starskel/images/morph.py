@@ -22,6 +22,7 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from starskel.arguments import choice
 from starskel.blending.frames import Blend, checked_times
 from starskel.decomposition.pieces import Decomposition
 from starskel.errors import StarskelError
@@ -34,7 +35,6 @@ from starskel.images.given import (
     checked_size,
     checked_solid,
     checked_view,
-    choice,
 )
 from starskel.images.part import Part, Seen, part_of
 from starskel.images.placed import Pixels, PlacedImage

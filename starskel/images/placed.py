@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from starskel.arguments import finite
 from starskel.errors import StarskelError
-from starskel.images.given import finite
 from starskel.limits import PICTURE_SIDE
 from starskel.polar import as_complex
 from starskel.predicates import Floats

@@ -6,8 +6,8 @@ import contourpy
 import numpy as np
 import shapely
 
+from starskel.arguments import choice, finite
 from starskel.errors import StarskelError, told
-from starskel.images.given import choice, finite
 from starskel.images.placed import Pixels, PlacedImage
 from starskel.limits import TRACED_PLACES, TRACED_SIDE, TRACED_VERTICES
 from starskel.predicates import Floats, Indices

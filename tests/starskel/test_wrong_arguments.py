@@ -10,6 +10,7 @@ import shapely
 
 import starskel
 from starskel.errors import StarskelError
+from starskel.export.settings import even_times
 
 SQUARE = [(0, 0), (8, 0), (8, 8), (0, 8)]
 HOOK = [(0, 0), (6, 0), (6, 5), (3, 5), (3, 4), (5, 4), (5, 1), (0, 1)]
@@ -51,6 +52,7 @@ CALLS: list[tuple[str, Callable[..., Any], dict[str, Any]]] = [
             ("measure", starskel.measure, {"blend": blend, "frames": 2}),
         )
     ),
+    ("even_times", even_times, {"count": 2}),
     ("ShapeBlend.shape_at", SHAPE_BLEND.shape_at, {"t": 0.5}),
 ]
 
