@@ -3,7 +3,7 @@
 import numpy as np
 
 from app.model.transforms import box_of
-from starskel.files.numbers import decimal
+from starskel.files.decimals import decimal
 from starskel.predicates import Floats
 from starskel.shapes.shape import Shape
 

@@ -12,7 +12,7 @@ from reportlab.lib.utils import ImageReader
 from reportlab.pdfgen.canvas import Canvas
 
 from starskel.export.film import Film
-from starskel.files.numbers import decimal
+from starskel.files.decimals import decimal
 from starskel.predicates import Floats
 from starskel.sheet.drawing import Area, Disc, Drawing, Group, Image, Item, Label, Line, Stroke
 from starskel.task import Task

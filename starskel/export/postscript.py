@@ -9,7 +9,7 @@ import unicodedata
 from collections.abc import Iterator, Sequence
 
 from starskel.export.film import Film
-from starskel.files.numbers import decimal
+from starskel.files.decimals import decimal
 from starskel.predicates import Floats
 from starskel.sheet.drawing import Area, Disc, Drawing, Group, Item, Label, Line, Stroke
 from starskel.task import Task

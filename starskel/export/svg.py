@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from xml.sax.saxutils import escape, quoteattr
 
 from starskel.export.film import Film
-from starskel.files.numbers import decimal
+from starskel.files.decimals import decimal
 from starskel.files.raster import png_of
 from starskel.predicates import Floats
 from starskel.sheet.drawing import Area, Disc, Drawing, Group, Image, Item, Label, Line, Stroke

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from starskel.export.film import Film
 from starskel.export.keys import Stretch, stretches
 from starskel.export.svg import Element, document, elements
-from starskel.files.numbers import decimal
+from starskel.files.decimals import decimal
 from starskel.task import Task
 
 _HIDDEN, _VISIBLE = "hidden", "visible"

@@ -5,6 +5,7 @@ import doctest
 import inspect
 import pkgutil
 import re
+import sys
 from functools import cached_property
 from importlib import import_module
 
@@ -54,6 +55,12 @@ DESCRIBED = PUBLIC | {
 @pytest.mark.parametrize("module", MODULES)
 def test_examples_give_what_they_say(module):
     assert doctest.testmod(import_module(module)).failed == 0
+
+
+def test_no_module_stands_before_one_of_python_when_its_folder_comes_first():
+    """So `python -m doctest FILE` runs on every file."""
+    names = {module.rpartition(".")[2] for module in MODULES}
+    assert names & sys.stdlib_module_names == set()
 
 
 def test_public_names_have_examples():
