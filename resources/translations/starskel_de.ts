@@ -836,6 +836,22 @@
         <translation>Ring {number}</translation>
     </message>
     <message>
+        <source>ring {hole}, a hole, does not lie inside ring {outline}</source>
+        <translation>Ring {hole}, ein Loch, liegt nicht in Ring {outline}</translation>
+    </message>
+    <message>
+        <source>move it, or give it as a part</source>
+        <translation>verschieben Sie ihn oder machen Sie ihn zu einem Teil</translation>
+    </message>
+    <message>
+        <source>rings {first} and {second}, holes of one part, meet</source>
+        <translation>die Ringe {first} und {second}, Löcher eines Teils, berühren sich</translation>
+    </message>
+    <message>
+        <source>join them to one hole, or move them apart</source>
+        <translation>verbinden Sie sie zu einem Loch oder schieben Sie sie auseinander</translation>
+    </message>
+    <message>
         <source>all parts are hidden</source>
         <translation>alle Teile sind ausgeblendet</translation>
     </message>
@@ -854,6 +870,94 @@
     <message>
         <source>a path</source>
         <translation>ein Pfad</translation>
+    </message>
+    <message>
+        <source>no bridges lead to the holes of a part: somewhere it is all but as narrow as rounding</source>
+        <translation>keine Brücken führen zu den Löchern eines Teils: irgendwo ist er fast so schmal wie das Runden</translation>
+    </message>
+    <message>
+        <source>widen its narrowest places, or pair the holes otherwise</source>
+        <translation>verbreitern Sie die engsten Stellen oder paaren Sie die Löcher anders</translation>
+    </message>
+    <message>
+        <source>the rings paired as {ring} lie in those paired as {other}, but not in the {name}: they must meet on the way</source>
+        <translation>die Ringe, die als {ring} gepaart sind, liegen in denen von {other}, aber nicht in {name}: sie müssen sich unterwegs treffen</translation>
+    </message>
+    <message>
+        <source>pair them otherwise, place what grows or shrinks elsewhere, or choose another method</source>
+        <translation>paaren Sie sie anders, setzen Sie anderswohin, was wächst oder schrumpft, oder wählen Sie eine andere Methode</translation>
+    </message>
+    <message>
+        <source>{first} and {second}</source>
+        <translation>{first} und {second}</translation>
+    </message>
+    <message>
+        <source>those nearest</source>
+        <translation>die nächsten</translation>
+    </message>
+    <message>
+        <source>the rings paired as {ring} meet at t = {t:.3f}, and no way round was found</source>
+        <translation>die Ringe, die als {ring} gepaart sind, treffen sich bei t = {t:.3f}, und kein Weg herum wurde gefunden</translation>
+    </message>
+    <message>
+        <source>choose another method, as stitched, add marks, or widen the narrowest places</source>
+        <translation>wählen Sie eine andere Methode wie stitched, setzen Sie mehr Marken oder verbreitern Sie die engsten Stellen</translation>
+    </message>
+    <message>
+        <source>a part is to become several, but no straight cut leaves its holes whole and where they belong</source>
+        <translation>ein Teil soll zu mehreren werden, aber kein gerader Schnitt lässt seine Löcher ganz und dort, wohin sie gehören</translation>
+    </message>
+    <message>
+        <source>pair it with one part, and let the others grow from points</source>
+        <translation>paaren Sie ihn mit einem Teil und lassen Sie die anderen aus Punkten wachsen</translation>
+    </message>
+    <message>
+        <source>rings {i} and {j} bear marks, but one of them is cut into parts</source>
+        <translation>die Ringe {i} und {j} tragen Marken, aber einer von ihnen wird in Teile geschnitten</translation>
+    </message>
+    <message>
+        <source>remove these marks, or cut the ring yourself</source>
+        <translation>entfernen Sie diese Marken oder schneiden Sie den Ring selbst</translation>
+    </message>
+    <message>
+        <source>ring {ring} of the {name} has partners, and is alone besides</source>
+        <translation>Ring {ring} ({name}) hat Partner und steht außerdem allein</translation>
+    </message>
+    <message>
+        <source>remove one of these pairs</source>
+        <translation>entfernen Sie eines dieser Paare</translation>
+    </message>
+    <message>
+        <source>ring {ring} of the {name} and ring {other} of the {other_name} both have several partners</source>
+        <translation>Ring {ring} ({name}) und Ring {other} ({other_name}) haben beide mehrere Partner</translation>
+    </message>
+    <message>
+        <source>let one ring become several, or several one</source>
+        <translation>lassen Sie einen Ring zu mehreren werden oder mehrere zu einem</translation>
+    </message>
+    <message>
+        <source>holes {i} and {j} are paired, but what they are holes in is not</source>
+        <translation>die Löcher {i} und {j} sind gepaart, aber das, worin sie Löcher sind, ist es nicht</translation>
+    </message>
+    <message>
+        <source>pair their outlines, or let one close to a point and the other grow from one</source>
+        <translation>paaren Sie ihre Umrisse oder lassen Sie eines zu einem Punkt schrumpfen und das andere aus einem wachsen</translation>
+    </message>
+    <message>
+        <source>rings {i} and {j} are paired, but one is an outline and the other a hole</source>
+        <translation>die Ringe {i} und {j} sind gepaart, aber einer ist ein Umriss und der andere ein Loch</translation>
+    </message>
+    <message>
+        <source>pair outlines with outlines and holes with holes</source>
+        <translation>paaren Sie Umrisse mit Umrissen und Löcher mit Löchern</translation>
+    </message>
+    <message>
+        <source>{name} would be a point at ({x:g}, {y:g}), which is not inside its part</source>
+        <translation>{name} wäre ein Punkt bei ({x:g}, {y:g}), der nicht in seinem Teil liegt</translation>
+    </message>
+    <message>
+        <source>choose a place inside the part and outside its other holes</source>
+        <translation>wählen Sie einen Ort im Teil und außerhalb seiner anderen Löcher</translation>
     </message>
 </context>
 <context>

@@ -13,7 +13,7 @@ from itertools import islice, pairwise
 import numpy as np
 
 from starskel.correspondence import Correspondence
-from starskel.errors import StarskelError
+from starskel.errors import StarskelError, told
 from starskel.predicates import Floats, Indices
 from starskel.shapes.chains import Bridges, Search, chains
 from starskel.shapes.region import Region
@@ -65,8 +65,8 @@ def chain_of(pair: Correspondence, task: Task) -> Chain:
     bent = list(islice(_bent(bridges, regions, task), DRAWN))
     if not bent:
         raise StarskelError(
-            "no bridges lead to the holes of a part: somewhere it is all but as narrow as rounding",
-            "widen its narrowest places, or pair the holes otherwise",
+            told("no bridges lead to the holes of a part: somewhere it is all but as narrow as rounding"),
+            told("widen its narrowest places, or pair the holes otherwise"),
         )
     return min(bent, key=lambda chain: sum(chain.counts))
 

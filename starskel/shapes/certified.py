@@ -15,7 +15,7 @@ from starskel.arrays import read_only
 from starskel.blending.certified import Way
 from starskel.blending.certified.gaps import narrowed
 from starskel.blending.certified.keys import Chain, Guide, Key, between, chains_between
-from starskel.errors import StarskelError
+from starskel.errors import StarskelError, told
 from starskel.predicates import Floats
 from starskel.shapes.body import Body
 from starskel.shapes.correspondence import ShapeCorrespondence
@@ -143,9 +143,16 @@ class _Proof:
             if len(wrong):
                 ring, other = (self.names[k] for k in wrong[0])
                 raise StarskelError(
-                    f"the rings paired as {ring} lie in those paired as {other}, but not in the {name}: they"
-                    " must meet on the way",
-                    "pair them otherwise, place what grows or shrinks elsewhere, or choose another method",
+                    told(
+                        "the rings paired as {ring} lie in those paired as {other}, but not in the {name}:"
+                        " they must meet on the way",
+                        ring=ring,
+                        other=other,
+                        name=told(name),
+                    ),
+                    told(
+                        "pair them otherwise, place what grows or shrinks elsewhere, or choose another method"
+                    ),
                 )
 
     def _refuse(self, before: float, after: float) -> NoReturn:
@@ -154,8 +161,14 @@ class _Proof:
             crossing = self.rings.crossing(self.guide(np.array([t]))[0])
             if crossing and 0 < t < 1:
                 break
-        named = [f"{self.names[i]} and {self.names[j]}" for i, j in crossing[:1]] or ["those nearest"]
+        named = [
+            told("{first} and {second}", first=self.names[i], second=self.names[j]) for i, j in crossing[:1]
+        ] or [told("those nearest")]
         raise StarskelError(
-            f"the rings paired as {named[0]} meet at t = {t:.3f}, and no way round was found",
-            "choose another method, as stitched, add marks, or widen the narrowest places",
+            told(
+                "the rings paired as {ring} meet at t = {t:.3f}, and no way round was found",
+                ring=named[0],
+                t=t,
+            ),
+            told("choose another method, as stitched, add marks, or widen the narrowest places"),
         )

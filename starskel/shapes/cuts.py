@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from starskel.errors import InvalidMarks, InvalidPolygon
+from starskel.errors import InvalidMarks, InvalidPolygon, told
 from starskel.outline import signed_areas
 from starskel.polygon import Polygon
 from starskel.predicates import Floats, Indices
@@ -95,8 +95,11 @@ def _cut(
                     best = cost, (Polygon(rings[0]), Polygon(rings[1]))
     if best is None:
         raise InvalidMarks(
-            "a part is to become several, but no straight cut leaves its holes whole and where they belong",
-            "pair it with one part, and let the others grow from points",
+            told(
+                "a part is to become several, but no straight cut leaves its holes whole"
+                " and where they belong"
+            ),
+            told("pair it with one part, and let the others grow from points"),
         )
     return best[1]
 

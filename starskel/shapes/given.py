@@ -8,7 +8,7 @@ import shapely
 
 from starskel.arguments import items, mapping, point
 from starskel.correspondence.marks import Mark, as_marks
-from starskel.errors import InvalidMarks
+from starskel.errors import InvalidMarks, told
 from starskel.polygon import Polygon
 from starskel.shapes.cuts import Partner, cut_between
 from starskel.shapes.pairing import Link
@@ -90,8 +90,8 @@ class Given:
         cut = any(sum(other[side] == link[side] for other in self.links) > 1 for side in (0, 1))
         if marks and cut:
             raise InvalidMarks(
-                f"rings {link[0]} and {link[1]} bear marks, but one of them is cut into parts",
-                "remove these marks, or cut the ring yourself",
+                told("rings {i} and {j} bear marks, but one of them is cut into parts", i=link[0], j=link[1]),
+                told("remove these marks, or cut the ring yourself"),
                 marks,
             )
         return marks
@@ -122,15 +122,25 @@ class Given:
         others = [link[1 - side] for link in links]
         if None in others:
             raise InvalidMarks(
-                f"ring {ring} of the {_NAMES[side]} has partners, and is alone besides",
-                "remove one of these pairs",
+                told(
+                    "ring {ring} of the {name} has partners, and is alone besides",
+                    ring=ring,
+                    name=told(_NAMES[side]),
+                ),
+                told("remove one of these pairs"),
             )
         shared = [k for k in others if sum(link[1 - side] == k for link in self.links) > 1]
         if shared:
             raise InvalidMarks(
-                f"ring {ring} of the {_NAMES[side]} and ring {shared[0]} of the {_NAMES[1 - side]} both have"
-                " several partners",
-                "let one ring become several, or several one",
+                told(
+                    "ring {ring} of the {name} and ring {other} of the {other_name} both have"
+                    " several partners",
+                    ring=ring,
+                    name=told(_NAMES[side]),
+                    other=shared[0],
+                    other_name=told(_NAMES[1 - side]),
+                ),
+                told("let one ring become several, or several one"),
             )
         partners = [self._partner(side, ring, other) for other in others if other is not None]
         holes = [self.shapes[side].rings[hole] for hole in self.shapes[side].holes(ring)]
@@ -156,8 +166,8 @@ class Given:
             ) and (None in link or None not in outline):
                 return outline
         raise InvalidMarks(
-            f"holes {link[0]} and {link[1]} are paired, but what they are holes in is not",
-            "pair their outlines, or let one close to a point and the other grow from one",
+            told("holes {i} and {j} are paired, but what they are holes in is not", i=link[0], j=link[1]),
+            told("pair their outlines, or let one close to a point and the other grow from one"),
         )
 
 

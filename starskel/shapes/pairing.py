@@ -8,7 +8,7 @@ import shapely
 from numpy.typing import NDArray
 
 from starskel.arguments import items, refusal
-from starskel.errors import InvalidMarks
+from starskel.errors import InvalidMarks, told
 from starskel.predicates import Floats
 from starskel.shapes.shape import Shape, ShapeLike
 
@@ -118,8 +118,8 @@ def checked_pairing(source: Shape, target: Shape, pairing: Iterable[Link]) -> tu
     for i, j in links:
         if i is not None and j is not None and (source.outer[i] < 0) != (target.outer[j] < 0):
             raise InvalidMarks(
-                f"rings {i} and {j} are paired, but one is an outline and the other a hole",
-                "pair outlines with outlines and holes with holes",
+                told("rings {i} and {j} are paired, but one is an outline and the other a hole", i=i, j=j),
+                told("pair outlines with outlines and holes with holes"),
             )
     twice = next((link for link in links if links.count(link) > 1), None)
     if twice is not None:

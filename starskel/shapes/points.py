@@ -4,7 +4,7 @@ import numpy as np
 import shapely
 
 from starskel.correspondence import Correspondence
-from starskel.errors import InvalidMarks
+from starskel.errors import InvalidMarks, told
 from starskel.polar import as_complex
 from starskel.predicates import Floats
 from starskel.shapes.given import Place
@@ -39,8 +39,13 @@ def room_for(place: Place | None, wished: Place, region: shapely.Polygon, name: 
     if place is not None:
         if not shapely.contains_xy(region, *place):
             raise InvalidMarks(
-                f"{name} would be a point at ({place[0]:g}, {place[1]:g}), which is not inside its part",
-                "choose a place inside the part and outside its other holes",
+                told(
+                    "{name} would be a point at ({x:g}, {y:g}), which is not inside its part",
+                    name=name,
+                    x=place[0],
+                    y=place[1],
+                ),
+                told("choose a place inside the part and outside its other holes"),
             )
         return place
     widest = shapely.maximum_inscribed_circle(region)

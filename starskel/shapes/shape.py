@@ -261,8 +261,8 @@ def _blame(shape: Shape, outline: int, holes: Sequence[int]) -> None:
     for number, hole in enumerate(holes):
         if not _inside(shape.rings[hole], shape.rings[outline]):
             raise InvalidPolygon(
-                f"ring {hole}, a hole, does not lie inside ring {outline}",
-                "move it, or give it as a part",
+                told("ring {hole}, a hole, does not lie inside ring {outline}", hole=hole, outline=outline),
+                told("move it, or give it as a part"),
             )
         for other in holes[:number]:
             _check_apart(shape, other, hole)
@@ -272,8 +272,8 @@ def _check_apart(shape: Shape, first: int, second: int) -> None:
     one, two = shape.rings[first], shape.rings[second]
     if meet(one, two) or _inside(one, two) or _inside(two, one):
         raise InvalidPolygon(
-            f"rings {first} and {second}, holes of one part, meet",
-            "join them to one hole, or move them apart",
+            told("rings {first} and {second}, holes of one part, meet", first=first, second=second),
+            told("join them to one hole, or move them apart"),
             place=_meeting(one, two),
         )
 
