@@ -8,7 +8,7 @@ import svgelements
 
 from starskel.errors import told
 from starskel.limits import RING_VERTICES, check_limit
-from starskel.predicates import Floats
+from starskel.predicates import LARGEST, Floats
 from starskel.reading.curves import flattened
 
 _SAMPLES = np.linspace(0, 1, 9)
@@ -59,6 +59,8 @@ _Segment = Floats | _Arc
 def lines_of(path: svgelements.Path, tolerance: float) -> tuple[list[Floats], float]:
     """Give the subpaths as points, y up, and how far chords may be off; closed ones end where they begin.
 
+    Subpaths beyond all numbers are left out.
+
     Parameters
     ----------
     path : svgelements.Path
@@ -70,7 +72,7 @@ def lines_of(path: svgelements.Path, tolerance: float) -> tuple[list[Floats], fl
     InvalidFile
         If there are more points than a ring may have.
     """
-    subpaths = list(_subpaths(path))
+    subpaths = [subpath for subpath in _subpaths(path) if _is_within_all_numbers(subpath)]
     reach = tolerance * _side([segment for subpath in subpaths for segment in subpath])
     lines = [_line(subpath, reach) for subpath in subpaths]
     check_limit(told("a path"), told("vertices"), sum(map(len, lines)), RING_VERTICES)
@@ -108,6 +110,13 @@ def _segment(segment: svgelements.PathSegment) -> _Segment:
         return _Arc(segment)
     inner = (getattr(segment, name) for name in _INNER.get(type(segment), ()))
     return np.array([_place(point) for point in (segment.start, *inner, segment.end)])
+
+
+def _is_within_all_numbers(segments: list[_Segment]) -> bool:
+    arcs = [segment for segment in segments if isinstance(segment, _Arc)]
+    places = [segment for segment in segments if not isinstance(segment, _Arc)]
+    places += [np.array([arc.start, arc.end, arc.centre, arc.radii, (arc.turn, arc.sweep)]) for arc in arcs]
+    return bool((np.abs(np.concatenate(places)) < LARGEST).all())
 
 
 def _side(segments: list[_Segment]) -> float:
