@@ -7,7 +7,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from starskel import StarskelError
+from starskel import InvalidFile, StarskelError
 from tests.fuzzing.mutations import broken
 from tests.fuzzing.readers import READERS, ROOT, Reader
 
@@ -25,6 +25,19 @@ def test_valid_files_are_read(reader: Reader) -> None:
 def test_broken_files_are_read_or_refused(reader: Reader, data: st.DataObject) -> None:
     with contextlib.suppress(StarskelError):
         reader.read(data.draw(broken(reader.seeds())))
+
+
+@pytest.mark.parametrize("reader", READERS.values(), ids=READERS)
+def test_files_cut_off_anywhere_are_read_or_refused(reader: Reader) -> None:
+    refused = 0
+    for seed in map(bytes, reader.seeds()):
+        for end in range(0, len(seed), 37):
+            try:
+                reader.read(seed[:end])
+            except StarskelError as error:
+                assert isinstance(error, InvalidFile), error  # noqa: PT017 (not all of them raise)
+                refused += 1
+    assert refused
 
 
 FOUND = sorted((ROOT / "tests" / "files" / "broken").iterdir())
