@@ -13,6 +13,9 @@ from starskel.task import UNWATCHED, Task
 _FIRST_EDGES = 8
 """Edges that vertices are held against at first; each time those left are held against twice as many."""
 
+_PAIRS = 1 << 16
+"""Pairs of a vertex and an edge that are looked at between two questions whether to stop, or few more."""
+
 
 def star_vertices(sides: Sequence[Points], rings: Rings, task: Task = UNWATCHED) -> Relation:
     """Tell for each vertex of many simple rings whether it lies in the kernels of its ring, exactly.
@@ -30,7 +33,7 @@ def star_vertices(sides: Sequence[Points], rings: Rings, task: Task = UNWATCHED)
             held, edge = ranges(rings.first[owner] + done, (rings.counts[owner] - done).clip(0, step))
             right = points.orientation(rings.rows[edge], ends[edge], rings.rows[star[held]]) < 0
             star = star[np.bincount(held[right], minlength=len(star)) == 0]
-            done, step = done + step, 2 * step
+            done, step = done + step, max(_FIRST_EDGES, min(2 * step, _PAIRS // max(1, len(star))))
     stars = np.zeros(len(rings.rows), dtype=bool)
     stars[star] = True
     return stars
