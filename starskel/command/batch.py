@@ -11,7 +11,7 @@ from starskel.command.batches import cluster, processes
 from starskel.command.batches.jobs import Job, jobs_of
 from starskel.command.batches.journal import FORMAT, RESULTS, Journal, Terms
 from starskel.command.batches.summary import summary_page
-from starskel.command.batches.work import Outcome, Task
+from starskel.command.batches.work import Outcome, PackedJob
 from starskel.command.progress import Progress
 from starskel.errors import InvalidFile, StarskelError
 from starskel.files.disk import write_bytes
@@ -56,9 +56,9 @@ def _outdated(journal: Journal, jobs: dict[str, Job], retry: bool) -> list[str]:
 
 def _work(arguments: Namespace, methods: Sequence[str], jobs: Sequence[Job], journal: Journal) -> None:
     failures: list[Outcome] = []
-    tasks = _tasks(jobs, tuple(methods), arguments.frames, failures)
+    packed = _packed(jobs, tuple(methods), arguments.frames, failures)
     with Progress("") as bar:
-        for number, outcome in enumerate(_with_failures(_done(arguments, tasks), failures), 1):
+        for number, outcome in enumerate(_with_failures(_done(arguments, packed), failures), 1):
             journal.add(outcome)
             if outcome.error:
                 bar.clear()
@@ -67,19 +67,19 @@ def _work(arguments: Namespace, methods: Sequence[str], jobs: Sequence[Job], jou
             bar(number / len(jobs))
 
 
-def _done(arguments: Namespace, tasks: Iterable[Task]) -> Iterator[Outcome]:
+def _done(arguments: Namespace, packed: Iterable[PackedJob]) -> Iterator[Outcome]:
     if arguments.scheduler:
-        return cluster.outcomes(tasks, arguments.scheduler)
-    return processes.outcomes(tasks, arguments.processes or os.cpu_count() or 1)
+        return cluster.outcomes(packed, arguments.scheduler)
+    return processes.outcomes(packed, arguments.processes or os.cpu_count() or 1)
 
 
-def _tasks(
+def _packed(
     jobs: Iterable[Job], methods: tuple[str, ...], frames: int, failures: list[Outcome]
-) -> Iterator[Task]:
+) -> Iterator[PackedJob]:
     """Load pairs one by one; those that cannot be loaded are failures already."""
     for job in jobs:
         try:
-            yield Task(job.key, job.digest, job.load(), methods, frames)
+            yield PackedJob(job.key, job.digest, job.load(), methods, frames)
         except StarskelError as error:
             failures.append(Outcome(key=job.key, digest=job.digest, error=str(error)))
 

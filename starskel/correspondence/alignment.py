@@ -19,7 +19,7 @@ TURN_PRICE = 0.3
 ALONE_PRICE = 0.3
 """The price of a vertex without a partner, beside that of its turning angle."""
 
-_UNWATCHED = 16
+_AT_ONCE = 16
 """So many diagonals are filled between two questions whether to stop."""
 
 _MATCH, _SKIP_FIRST, _SKIP_SECOND = 0, 1, 2
@@ -79,7 +79,7 @@ def _cheapest(prices: Prices, task: Task, keep_moves: bool) -> tuple[Floats, lis
     last[..., 1] = 0.0
     moves = [np.zeros(p + 1, dtype=np.int8)]
     for diagonal in range(1, p + q + 1):
-        if diagonal % _UNWATCHED == 0:
+        if diagonal % _AT_ONCE == 0:
             task.reach(0)
         low, high = max(0, diagonal - q), min(p, diagonal) + 1
         rows, columns = slice(low, high), slice(q - diagonal + low, q - diagonal + high)

@@ -30,7 +30,7 @@ _SAMPLES = 64
 EXACT_DIGITS = 12
 """So many decimals are compared: what differs by rounding alone, as moving and scaling make it, is equal."""
 
-_UNWATCHED = 64
+_AT_ONCE = 64
 """So many vertices are removed between two questions whether to stop."""
 
 
@@ -141,7 +141,7 @@ def _most_salient(ring: Floats, task: Task) -> Indices:
         value, i = heapq.heappop(queue)
         if value != current[i] or i not in left:
             continue  # it has gone, or a neighbour has since
-        if len(left) % _UNWATCHED == 0:
+        if len(left) % _AT_ONCE == 0:
             task.reach(0)
         left.remove(i)
         before[after[i]], after[before[i]] = before[i], after[i]

@@ -1,10 +1,10 @@
-"""Many tasks at once on a Dask cluster (extra `cluster`)."""
+"""Many jobs at once on a Dask cluster (extra `cluster`)."""
 
 from collections.abc import Iterable, Iterator
 from itertools import islice
 from typing import Any
 
-from starskel.command.batches.work import Outcome, Task, work
+from starskel.command.batches.work import Outcome, PackedJob, work
 from starskel.errors import InvalidFile
 
 _AHEAD = 4
@@ -14,8 +14,8 @@ _PATIENCE = "10s"
 """So long the scheduler may take to answer."""
 
 
-def outcomes(tasks: Iterable[Task], address: str) -> Iterator[Outcome]:
-    """Do tasks on the cluster of a scheduler and give what comes out, as soon as it is there.
+def outcomes(jobs: Iterable[PackedJob], address: str) -> Iterator[Outcome]:
+    """Do jobs on the cluster of a scheduler and give what comes out, as soon as it is there.
 
     What was under way on a worker that is lost is done again by the scheduler.
 
@@ -35,21 +35,21 @@ def outcomes(tasks: Iterable[Task], address: str) -> Iterator[Outcome]:
             f"no scheduler answers at {address}", "start one, or correct the address"
         ) from error
     with client:
-        remaining = iter(tasks)
+        remaining = iter(jobs)
         threads = max(1, sum(client.nthreads().values()))
-        running: dict[Any, Task] = {}
+        running: dict[Any, PackedJob] = {}
 
         def submit(count: int) -> list[Any]:
-            futures = [(client.submit(work, task, pure=False), task) for task in islice(remaining, count)]
+            futures = [(client.submit(work, job, pure=False), job) for job in islice(remaining, count)]
             running.update(futures)
             return [future for future, _ in futures]
 
         done = as_completed(submit(_AHEAD * threads))
         for future in done:
-            task = running.pop(future)
-            yield future.result() if future.status == "finished" else _failed(task, future.exception())
+            job = running.pop(future)
+            yield future.result() if future.status == "finished" else _failed(job, future.exception())
             done.update(submit(1))
 
 
-def _failed(task: Task, error: BaseException | None) -> Outcome:
-    return Outcome(key=task.key, digest=task.digest, error=f"{type(error).__name__}: {error}")
+def _failed(job: PackedJob, error: BaseException | None) -> Outcome:
+    return Outcome(key=job.key, digest=job.digest, error=f"{type(error).__name__}: {error}")

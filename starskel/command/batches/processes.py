@@ -1,4 +1,4 @@
-"""Many tasks at once on this machine, each in a process, so that one that dies spoils no other."""
+"""Many jobs at once on this machine, each in a process, so that one that dies spoils no other."""
 
 import multiprocessing
 import os
@@ -11,44 +11,44 @@ from itertools import islice
 from multiprocessing.context import BaseContext
 from time import sleep
 
-from starskel.command.batches.work import Outcome, Task, work
+from starskel.command.batches.work import Outcome, PackedJob, work
 
 _AHEAD = 4
 """Tasks that wait for each process: so many pairs are in memory."""
 
 _PULSE = 1.0
-"""Seconds between two looks whether the program that gives the tasks is still there."""
+"""Seconds between two looks whether the program that gives the jobs is still there."""
 
 
-def outcomes(tasks: Iterable[Task], processes: int) -> Iterator[Outcome]:
-    """Do tasks and give what comes out, as soon as it is there.
+def outcomes(jobs: Iterable[PackedJob], processes: int) -> Iterator[Outcome]:
+    """Do jobs and give what comes out, as soon as it is there.
 
-    A process that dies takes those beside it along; each task that was under way is done again alone, and
+    A process that dies takes those beside it along; each job that was under way is done again alone, and
     the one that dies again is a failure.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the processes are many enough
-    remaining, broken = iter(tasks), True
+    remaining, broken = iter(jobs), True
     while broken:
         broken, suspects = False, []
         for outcome in _together(remaining, processes):
-            if isinstance(outcome, Task):
+            if isinstance(outcome, PackedJob):
                 suspects.append(outcome)
                 broken = True
             else:
                 yield outcome
         for suspect in suspects:
             for outcome in _together(iter([suspect]), 1):
-                yield _dead(suspect) if isinstance(outcome, Task) else outcome
+                yield _dead(suspect) if isinstance(outcome, PackedJob) else outcome
 
 
-def _together(tasks: Iterator[Task], processes: int) -> Iterator[Outcome | Task]:
-    """Give outcomes, and where the pool breaks the tasks that were under way; those behind stay untouched."""
+def _together(jobs: Iterator[PackedJob], processes: int) -> Iterator[Outcome | PackedJob]:
+    """Give outcomes, and where the pool breaks the jobs that were under way; those behind stay untouched."""
     with ProcessPoolExecutor(processes, _context(), initializer=_begin) as pool:
-        running: dict[Future[Outcome], Task] = {}
+        running: dict[Future[Outcome], PackedJob] = {}
         try:
             while True:
-                for task in islice(tasks, _AHEAD * processes - len(running)):
-                    running[pool.submit(work, task)] = task
+                for job in islice(jobs, _AHEAD * processes - len(running)):
+                    running[pool.submit(work, job)] = job
                 if not running:
                     return
                 for future in wait(running, return_when=FIRST_COMPLETED).done:
@@ -63,8 +63,8 @@ def _together(tasks: Iterator[Task], processes: int) -> Iterator[Outcome | Task]
             raise
 
 
-def _dead(task: Task) -> Outcome:
-    return Outcome(key=task.key, digest=task.digest, error="the process that worked at it died")
+def _dead(job: PackedJob) -> Outcome:
+    return Outcome(key=job.key, digest=job.digest, error="the process that worked at it died")
 
 
 def _context() -> BaseContext:
@@ -77,7 +77,7 @@ def _context() -> BaseContext:
 
 
 def _begin() -> None:
-    """Leave interruptions to the program that gives the tasks, and end when it is gone."""
+    """Leave interruptions to the program that gives the jobs, and end when it is gone."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_watch, args=(os.getppid(),), daemon=True).start()
 

@@ -34,7 +34,7 @@ class Outcome(msgspec.Struct, frozen=True, kw_only=True):
 
 
 @dataclass(frozen=True)
-class Task:
+class PackedJob:
     """A job with its pair, as it is sent to where it is done.
 
     Attributes
@@ -54,18 +54,18 @@ class Task:
     frames: int
 
 
-def work(task: Task) -> Outcome:
-    """Do a task; what goes wrong is told in the outcome, beside what was measured before."""
+def work(job: PackedJob) -> Outcome:
+    """Do a job; what goes wrong is told in the outcome, beside what was measured before."""
     start = process_time()
     figures: list[dict[str, Any]] = []
     error = ""
     try:
-        for found, _ in measured(task.pair, task.methods, task.frames, watch=lambda method, fraction: None):
+        for found, _ in measured(job.pair, job.methods, job.frames, watch=lambda method, fraction: None):
             figures.append(msgspec.to_builtins(found))
     except StarskelError as fault:
         error = str(fault)
     except Exception as fault:  # a defect of the program stops one pair, not the batch
         error = f"{type(fault).__name__}: {fault}"
     return Outcome(
-        key=task.key, digest=task.digest, figures=figures, error=error, seconds=process_time() - start
+        key=job.key, digest=job.digest, figures=figures, error=error, seconds=process_time() - start
     )

@@ -18,7 +18,7 @@ from starskel.cli import main
 from starskel.command.batches import cluster, processes
 from starskel.command.batches.jobs import jobs_of
 from starskel.command.batches.journal import FORMAT, Journal, Terms
-from starskel.command.batches.work import Task
+from starskel.command.batches.work import PackedJob
 from starskel.errors import InvalidFile
 from starskel.files.pairs import ShapePair, write_pairs
 from starskel.polygon import Polygon
@@ -203,7 +203,7 @@ def finished():
 
 
 def tasks(count):
-    return [Task(pair.id, "", pair, ("vertex",), 11) for pair in pairs(count)]
+    return [PackedJob(pair.id, "", pair, ("vertex",), 11) for pair in pairs(count)]
 
 
 def test_a_process_that_dies_takes_no_pair_along():
