@@ -11,6 +11,7 @@ import sys
 import time
 import warnings
 from collections import Counter
+from inspect import isfunction
 from pathlib import Path
 
 from hypothesis import HealthCheck, Phase, given, seed, settings
@@ -78,7 +79,10 @@ def follow_coverage(reader: Reader, examples: int) -> None:
     def run(content: bytes) -> None:
         check(reader, content, Counter())
 
-    atheris.instrument_all()
+    own = [module for name, module in sys.modules.items() if name.startswith("starskel.")]
+    for function in {value for module in own for value in vars(module).values() if isfunction(value)}:
+        if function.__module__.startswith("starskel."):
+            atheris.instrument_func(function)
     limits = [f"-runs={examples}", f"-timeout={SECONDS + 1:.0f}", f"-rss_limit_mb={BYTES >> 20}"]
     atheris.Setup([sys.argv[0], *limits], run)
     atheris.Fuzz()
