@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QThread, Signal, Slot
 
 import starskel
+from app.compute.freeing import freeing_factors
 from app.compute.request import Failure, Proposal, Request, Result
 from app.model.marks import Marks
 from starskel.errors import Cancelled, StarskelError, told
@@ -57,7 +58,8 @@ class Worker(QObject):
     @Slot(object)
     def work(self, request: Request) -> None:
         try:
-            self._work(request)
+            with freeing_factors():
+                self._work(request)
         except BaseException:
             self.died.emit(request.generation)
             raise
@@ -88,9 +90,10 @@ class Worker(QObject):
             return self.newest != proposal.generation
 
         try:
-            marks = starskel.suggest_marks(
-                proposal.source, proposal.target, proposal.count, should_stop=is_old
-            )
+            with freeing_factors():
+                marks = starskel.suggest_marks(
+                    proposal.source, proposal.target, proposal.count, should_stop=is_old
+                )
         except Cancelled:
             return
         except BaseException:

@@ -11,6 +11,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QThread, Signal, Slot
 
+from app.compute.freeing import freeing_factors
 from starskel.errors import Cancelled, StarskelError
 from starskel.task import Task
 
@@ -52,7 +53,8 @@ class _Runner(QObject):
             task = Task(
                 lambda fraction: self.progressed.emit(number, fraction), lambda: self.newest != number
             )
-            outcome = Outcome(work(task))
+            with freeing_factors():
+                outcome = Outcome(work(task))
         except Cancelled:
             return
         except Exception as error:  # whatever it is, the window shows it; the thread lives on

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, QThread, Signal, Slot
 
+from app.compute.freeing import freeing_factors
 from starskel.errors import Cancelled, StarskelError
 from starskel.files.picture import Picture
 from starskel.images.placed import SOLID
@@ -101,6 +102,7 @@ class _Painter(QObject):
         )
 
     @Slot(object)
+    @freeing_factors()
     def fulfil(self, wish: Wish) -> None:
         try:
             morph = self._morph(wish)

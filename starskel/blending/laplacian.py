@@ -2,8 +2,13 @@
 
 SuperLU orders and factors them sparsely (scipy.sparse.linalg.splu): the fans of m points take O(m) memory,
 or little more, instead of the m^2 of an inverse.
+
+SuperLU gives memory back only to the thread that took it (scipy issue 15921). So factors stay in their
+thread, which keeps those that it used last; another one factors the same matrix again, to the same bits.
 """
 
+import threading
+from collections import OrderedDict
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,12 +17,15 @@ from scipy.sparse.linalg import SuperLU, splu
 
 from starskel.predicates import Floats, Indices
 
+KEPT = 32
+"""So many factors a thread keeps; a blend has three at most."""
+
 
 @dataclass(frozen=True, eq=False)
 class Factored:
-    """A factored matrix A."""
+    """A positive definite matrix A, factored where it is used."""
 
-    factors: SuperLU
+    matrix: csc_array
 
     def solve(self, right: Floats) -> Floats:
         """Give for each r of k right sides, (k, m) or (k, m, 2), the x with A x = r.
@@ -26,11 +34,42 @@ class Factored:
         """
         if not len(right):
             return right
-        return np.stack([self.factors.solve(each) for each in right])
+        factors = _factors_of(self)
+        return np.stack([factors.solve(each) for each in right])
+
+
+class _Recent(threading.local):
+    """The factors that the running thread has used, the last one last."""
+
+    def __init__(self) -> None:
+        self.factors: OrderedDict[Factored, SuperLU] = OrderedDict()
+
+
+_RECENT = _Recent()
+
+
+def _factors_of(factored: Factored) -> SuperLU:
+    recent = _RECENT.factors
+    if factored not in recent:
+        recent[factored] = splu(
+            factored.matrix,
+            permc_spec="MMD_AT_PLUS_A",
+            diag_pivot_thresh=0.0,
+            options={"SymmetricMode": True},
+        )
+        if len(recent) > KEPT:
+            recent.popitem(last=False)
+    recent.move_to_end(factored)
+    return recent[factored]
+
+
+def forget_factors() -> None:
+    """Free what the running thread has factored; to be called before it ends, or its memory is lost."""
+    _RECENT.factors.clear()
 
 
 def factor(edges: Indices, weights: Floats, diagonal: Floats) -> Factored:
-    """Factor the Laplacian of a weighted graph plus a diagonal.
+    """Give the Laplacian of a weighted graph plus a diagonal, to be solved for many right sides.
 
     Parameters
     ----------
@@ -47,7 +86,4 @@ def factor(edges: Indices, weights: Floats, diagonal: Floats) -> Factored:
     sums = diagonal + np.bincount(edges.ravel(), np.repeat(weights, 2), count)
     values = np.concatenate([sums, -weights, -weights])
     places = np.concatenate([every, i, j]), np.concatenate([every, j, i])
-    matrix = csc_array((values, places), shape=(count, count))
-    return Factored(
-        splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
-    )
+    return Factored(csc_array((values, places), shape=(count, count)))

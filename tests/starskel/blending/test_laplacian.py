@@ -1,7 +1,12 @@
+import threading
+from pathlib import Path
+
 import numpy as np
 import pytest
+from scipy.sparse.linalg import splu
 
-from starskel.blending.laplacian import factor
+from starskel.blending import laplacian
+from starskel.blending.laplacian import KEPT, factor, forget_factors
 
 
 def grid(rows, columns):
@@ -60,3 +65,57 @@ def test_each_right_side_is_solved_by_itself(edges):
     for k in range(7):
         np.testing.assert_array_equal(factored.solve(right[k : k + 1])[0], together[k])
     assert factored.solve(right[:0]).shape == (0, count, 2)
+
+
+def pages():
+    """The memory in use, in bytes."""
+    return int(Path("/proc/self/statm").read_text().split()[1]) * 4096
+
+
+def run_in_a_thread(work):
+    thread = threading.Thread(target=work)
+    thread.start()
+    thread.join()
+
+
+def test_another_thread_solves_to_the_same_bits():
+    factored = factor(GRAPHS["many fans"], np.full(len(GRAPHS["many fans"]), 0.7), np.ones(640))
+    right, found = np.random.default_rng(3).normal(size=(2, 640)), []
+    run_in_a_thread(lambda: found.extend([factored.solve(right), forget_factors()]))
+    np.testing.assert_array_equal(found[0], factored.solve(right))
+
+
+only_linux = pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="tells its memory in a file")
+
+
+@only_linux
+def test_threads_that_come_and_go_leave_no_memory_behind():
+    edges = GRAPHS["everything linked"]
+    weights, diagonal, right = np.ones(len(edges)), np.ones(230), np.ones((1, 230))
+
+    def work():
+        for _ in range(8):
+            factor(edges, weights, diagonal).solve(right)
+        forget_factors()
+
+    run_in_a_thread(work)
+    before = pages()
+    for _ in range(30):
+        run_in_a_thread(work)
+    assert pages() - before < 60e6, "240 factors take 130 MB"
+
+
+def test_a_thread_keeps_the_factors_that_it_used_last(monkeypatch):
+    counted = []
+    monkeypatch.setattr(laplacian, "splu", lambda *given, **how: counted.append(given) or splu(*given, **how))
+    edges, right = GRAPHS["a triangle"], np.ones((1, 3))
+    several = [factor(edges, np.ones(3), np.ones(3)) for _ in range(KEPT + 1)]
+    for each in several[:KEPT]:
+        each.solve(right)
+    several[0].solve(right)
+    assert len(counted) == KEPT
+    several[KEPT].solve(right)
+    several[0].solve(right)
+    assert len(counted) == KEPT + 1
+    several[1].solve(right)  # the one that had not been used for the longest time
+    assert len(counted) == KEPT + 2
