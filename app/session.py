@@ -134,6 +134,11 @@ class Session(QObject):
         return self._blends.fresh
 
     @property
+    def held(self) -> int:
+        """How many vertices the step on the canvases has, where they are too many to be blended unasked."""
+        return self._blends.held
+
+    @property
     def undoes(self) -> str | None:
         """The name of the edit that undo takes back."""
         return self.history.undoes

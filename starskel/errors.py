@@ -1,7 +1,6 @@
 """What can go wrong, in words: every error says what is wrong, where, and how to mend it."""
 
 from collections.abc import Sequence
-from copy import copy
 from functools import reduce
 from typing import Self
 
@@ -68,8 +67,9 @@ class StarskelError(ValueError):
 
     def within(self, where: object) -> Self:
         """Give the same error, with `where` it is put in front: "ring 2: a polygon of 2 points"."""
-        error = copy(self)
-        error.what = told("{where}: {what}", where=where, what=self.what)
+        # not by copy: where distributed is loaded, copies of errors share their attributes
+        error = type(self).__new__(type(self), *self.args)
+        vars(error).update(vars(self), what=told("{where}: {what}", where=where, what=self.what))
         return error
 
 

@@ -5,7 +5,7 @@ within seconds and half a gigabyte. The largest coordinate is `predicates.LARGES
 memory depends.
 """
 
-from starskel.errors import InvalidFile, told
+from starskel.errors import InvalidFile, StarskelError, told
 
 DOCUMENT_BYTES = 200_000_000
 """A project or a file of pairs: most of it may be pictures."""
@@ -47,6 +47,13 @@ EDGES = 2_000_000
 
 RING_VERTICES = 100_000
 """Vertices of a ring of a file."""
+
+ALIGNED_PAIRS = 150_000_000
+"""Pairs of vertices, one of each shape between two marks, that are compared: each takes 24 bytes."""
+
+DECOMPOSED_VERTICES = 10_000
+"""Vertices of a pair, those that the correspondence inserted included, that is cut into several pieces: any
+two take some 30 bytes."""
 
 PICTURE_BYTES = 200_000_000
 """A file of a picture."""
@@ -93,4 +100,26 @@ def check_limit(name: str, what: str, count: int, most: int) -> None:
         raise InvalidFile(
             told("{name} has {count} {what}", name=name, count=count, what=what),
             told("give a file with at most {most} {what}", most=most, what=what),
+        )
+
+
+def check_size(what: str, count: int, most: int, mend: str) -> None:
+    """Refuse to compute what would take too much memory.
+
+    Parameters
+    ----------
+    what : str
+        What is counted, in the plural.
+    count, most : int
+    mend : str
+        What to do about it.
+
+    Raises
+    ------
+    StarskelError
+        Naming the limit and the value.
+    """
+    if count > most:
+        raise StarskelError(
+            told("{count} {what}, and at most {most}", count=count, what=what, most=most), mend
         )

@@ -15,6 +15,9 @@ REMEMBERED = 40
 UNHURRIED = frozenset({"certified"})
 """Methods too slow to follow a gesture; they are computed when it ends."""
 
+LARGE = 8_000
+"""What has more vertices is blended when that is asked for, not before: it takes minutes and much memory."""
+
 USUAL_METHODS = tuple(method for method in COMPARED if method not in UNHURRIED)
 """What is compared until the user chooses: every method that is quick."""
 
@@ -42,6 +45,7 @@ class Blends(QObject):
         self.steps: tuple[States, ...] = ({},)
         self._subjects: tuple[Subject | None, ...] = (None,)
         self._first = 0
+        self._asked: frozenset[Subject] = frozenset()
         self._memory: dict[tuple[str, Subject], Result] = {}
         self._computer = Computer(self)
         self._computer.delivered.connect(self._take)
@@ -64,6 +68,15 @@ class Blends(QObject):
     def fresh(self) -> tuple[Result, ...]:
         """The blends of the first step as it is now, in the order in which they are shown."""
         return tuple(state.fresh for state in self.results.values() if state.fresh is not None)
+
+    @property
+    def held(self) -> int:
+        """How many vertices the first step has, where they are too many to be blended unasked."""
+        subject = self._subjects[self._first]
+        return subject.size if subject is not None and self._waits(subject) else 0
+
+    def _waits(self, subject: Subject) -> bool:
+        return subject.size > LARGE and subject not in self._asked
 
     def show(
         self,
@@ -95,7 +108,8 @@ class Blends(QObject):
         self._computer.suggest(Proposal(source, target, count))
 
     def recompute(self) -> None:
-        """Compute all of them anew."""
+        """Compute all of them anew, the large ones as well."""
+        self._asked = frozenset(subject for subject in self._subjects if subject is not None)
         subjects, self._subjects = self._subjects, (None,) * len(self._subjects)
         self._memory.clear()
         self.show(subjects, self._first, tuple(self.results))
@@ -141,7 +155,7 @@ class Blends(QObject):
             # the simplest first, so that there is something to see at once; in a gesture there already is
             known = (m for m in (states if live else METHODS) if m in states)
             methods = tuple(m for m in known if _is_wanted(m, states[m], live))
-            if subject is not None and methods:
+            if subject is not None and methods and not self._waits(subject):
                 found.setdefault(subject, Request(subject, methods, live))
         return tuple(found.values())
 

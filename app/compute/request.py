@@ -45,6 +45,11 @@ class Subject:
         """Whether it is one part that becomes one part, the usual case."""
         return len(self.source) == len(self.target) == 1 and not self.links[0].alone
 
+    @property
+    def size(self) -> int:
+        """How many vertices it has, of both shapes together."""
+        return sum(map(len, (*self.source, *self.target)))
+
     def of(self, method: str) -> "Subject":
         """Leave out what makes no difference to a method."""
         links = tuple(replace(link, root=None) for link in self.links)

@@ -744,6 +744,10 @@
         <translation>geben Sie eine andere Datei an; erlaubt sind höchstens {most} {what}</translation>
     </message>
     <message>
+        <source>{count} {what}, and at most {most}</source>
+        <translation>{count} {what}, erlaubt sind höchstens {most}</translation>
+    </message>
+    <message>
         <source>the picture could not be traced</source>
         <translation>das Bild konnte nicht nachgezeichnet werden</translation>
     </message>
@@ -958,6 +962,22 @@
     <message>
         <source>choose a place inside the part and outside its other holes</source>
         <translation>wählen Sie einen Ort im Teil und außerhalb seiner anderen Löcher</translation>
+    </message>
+    <message>
+        <source>set marks between them, or simplify the shapes</source>
+        <translation>setzen Sie Marken dazwischen oder vereinfachen Sie die Formen</translation>
+    </message>
+    <message>
+        <source>pairs of vertices to be compared</source>
+        <translation>zu vergleichende Eckenpaare</translation>
+    </message>
+    <message>
+        <source>simplify the shapes, or take a method that needs no pieces</source>
+        <translation>vereinfachen Sie die Formen oder nehmen Sie ein Verfahren ohne Teile</translation>
+    </message>
+    <message>
+        <source>vertices to be cut into pieces</source>
+        <translation>in Teile zu zerlegende Ecken</translation>
     </message>
 </context>
 <context>
@@ -1924,6 +1944,13 @@
         <translation>
             <numerusform>{name} enthält %n Form.</numerusform>
             <numerusform>{name} enthält %n Formen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n vertices: blending takes minutes and much memory. F5 begins, Esc ends it.</source>
+        <translation>
+            <numerusform>%n Ecke: Das Überblenden dauert Minuten und braucht viel Speicher. F5 beginnt, Esc beendet es.</numerusform>
+            <numerusform>%n Ecken: Das Überblenden dauert Minuten und braucht viel Speicher. F5 beginnt, Esc beendet es.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -46,6 +46,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n vertices: blending takes minutes and much memory. F5 begins, Esc ends it.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n holes are parts now, as they are no longer inside their outline.</source>
         <translation>
             <numerusform>%n hole is a part now, as it is no longer inside its outline.</numerusform>

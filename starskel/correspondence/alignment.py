@@ -9,6 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from starskel.errors import told
+from starskel.limits import ALIGNED_PAIRS, check_size
 from starskel.outline import edge_lengths, turning_angles
 from starskel.predicates import Floats
 from starskel.task import Task
@@ -116,7 +118,16 @@ class Chain:
 
 
 def chain_prices(first: Chain, second: Chain) -> Prices:
-    """Give what aligning two chains costs."""
+    """Give what aligning two chains costs.
+
+    Raises
+    ------
+    StarskelError
+        If the table of all pairs of their vertices would be too large.
+    """
+    pairs = len(first.shares) * len(second.shares)
+    mend = told("set marks between them, or simplify the shapes")
+    check_size(told("pairs of vertices to be compared"), pairs, ALIGNED_PAIRS, mend)
     turns = TURN_PRICE / np.pi * first.turns, TURN_PRICE / np.pi * second.turns
     match = np.abs(np.subtract.outer(first.shares, second.shares))
     match += np.abs(np.subtract.outer(*turns))

@@ -52,6 +52,8 @@ def match(
         Where the points form no simple polygon, or an edge is too short to take new vertices.
     InvalidMarks
         Where a mark names a missing vertex, or two of them contradict each other.
+    StarskelError
+        If both have so many vertices that comparing them all would take too much memory.
     Cancelled
         If ``should_stop`` answered True.
     """

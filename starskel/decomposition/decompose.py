@@ -17,7 +17,8 @@ from starskel.decomposition.reduce import reduce
 from starskel.decomposition.rivals import by_rivals
 from starskel.decomposition.shape import shaped
 from starskel.decomposition.transfer import transfer
-from starskel.errors import NoDecomposition
+from starskel.errors import NoDecomposition, told
+from starskel.limits import DECOMPOSED_VERTICES, check_size
 from starskel.points import points_of
 from starskel.predicates import Floats
 from starskel.rings import Rings
@@ -61,7 +62,8 @@ def decompose(
     NoDecomposition
         If the algorithm needs Steiner vertices and they are not allowed.
     StarskelError
-        If there is no algorithm of that name, or something else is no pair of polygons.
+        If there is no algorithm of that name, something else is no pair of polygons, or the pair has too many
+        vertices for the memory there is.
     Cancelled
         If `should_stop` answered True.
 
@@ -89,7 +91,7 @@ def decompose_quickly(pair: Correspondence, task: Task) -> Decomposition:
 
     Stuck cells are freed by fans alone, without trying other ways: that is several times as fast.
     """
-    return _decomposed(pair, lambda board, whole, task: climb(board, [whole], by_fan, task)[0], task)
+    return _decomposed(pair, _by_fans, task)
 
 
 def _decomposed(
@@ -107,6 +109,7 @@ def _decomposed(
 def _minimal(board: Board, whole: Piece, steiner: bool, task: Task) -> list[Piece]:
     if board.are_stars([whole], task.quiet)[0]:  # the tables would take O(n^3) to end with no fewer
         return [whole]
+    _check_size(board)
     pieces = _fewest(board, whole, task.part(0, 0.5))
     if pieces is not None:
         return pieces
@@ -119,9 +122,20 @@ def _minimal(board: Board, whole: Piece, steiner: bool, task: Task) -> list[Piec
     return _polished(board, pieces, task.part(0.9, 1))
 
 
+def _by_fans(board: Board, whole: Piece, task: Task) -> list[Piece]:
+    _check_size(board)
+    return climb(board, [whole], by_fan, task)[0]
+
+
+def _check_size(board: Board) -> None:
+    mend = told("simplify the shapes, or take a method that needs no pieces")
+    check_size(told("vertices to be cut into pieces"), board.n, DECOMPOSED_VERTICES, mend)
+
+
 def _convex(board: Board, whole: Piece, steiner: bool, task: Task) -> list[Piece]:
     if board.are_stars([whole], task.quiet)[0]:
         return [whole]
+    _check_size(board)
     pieces = transfer(board, whole, task.part(0, 0.9))
     pieces = _polished(board, pieces, task.part(0.9, 1))
     if not steiner and any(v >= board.n for piece in pieces for v in piece):

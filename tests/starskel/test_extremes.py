@@ -51,3 +51,26 @@ def test_every_method_is_right_at_both_ends_and_finite_between(source, target):
 def test_what_rounding_would_decide_is_refused(ring):
     with pytest.raises(starskel.InvalidPolygon, match=r"all but touches edge .*move it away"):
         starskel.match(ring, U)
+
+
+def bracelet(count):
+    """An open ring, which is no star."""
+    t = np.linspace(0, 5, count // 2)
+    arc = np.stack([np.cos(t), np.sin(t)], axis=1)
+    return np.concatenate([2 * arc, arc[::-1]])
+
+
+def test_more_vertices_than_can_be_compared_are_refused_before_memory_is_taken():
+    large = starskel.Polygon(bracelet(13_000))
+    with pytest.raises(
+        starskel.StarskelError, match="pairs of vertices to be compared, and at most 150000000"
+    ):
+        starskel.match(large, large, marks=[(0, 0)])
+
+
+def test_more_vertices_than_can_be_cut_are_refused_before_memory_is_taken():
+    ring, rows = bracelet(10_002), np.arange(10_002)
+    pair = starskel.Correspondence(ring, ring, (), rows, rows)
+    for algorithm in ("minimal", "convex"):
+        with pytest.raises(starskel.StarskelError, match="10002 vertices to be cut into pieces, and at most"):
+            starskel.decompose(pair, algorithm=algorithm)

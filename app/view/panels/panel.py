@@ -12,6 +12,7 @@ from app.view.panels.frame_view import FrameView
 from app.view.panels.steering import Steering
 from app.view.timeline.player import Player
 from app.view.wording import verdicts, words
+from app.view.wording.counts import COUNTS
 from app.view.wording.fitting_label import FittingLabel
 from starskel.predicates import Floats
 from starskel.sheet.words import kind_of
@@ -96,6 +97,8 @@ class Panel(QWidget):
         if state.error is not None:
             return words.reason(state.error, self._session.document)
         document = self._session.document
+        if state.result is None and (held := self._session.held):
+            return COUNTS.held(held)
         if state.result is not None or self._session.busy:
             return ""
         if document.source is None or document.target is None:

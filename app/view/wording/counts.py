@@ -27,6 +27,12 @@ class Counts(QObject):
         """Say how many shapes a file holds."""
         return self.tr("{name} holds %n shapes.", "", count).format(name=name)
 
+    def held(self, count: int) -> str:
+        """Say that so large shapes are blended only when that is asked for."""
+        return self.tr(
+            "%n vertices: blending takes minutes and much memory. F5 begins, Esc ends it.", "", count
+        )
+
     def news(self, news: News) -> str:
         """Say what an edit brought with it."""
         told = (self.lost_marks, news.lost), (self.filled, news.filled), (self.opened, news.opened)

@@ -124,3 +124,30 @@ def test_what_is_settled_is_not_computed_again(blends: Blends, qtbot: QtBot) -> 
     blends.show((CROSSING,), 0, ("stitched",))
     assert not blends.busy
     assert blends.results["stitched"].result is settled
+
+
+def test_what_is_large_is_blended_when_that_is_asked_for(
+    blends: Blends, computed: list[Subject], qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("app.compute.blends.LARGE", 7)
+    blends.show((step(0),), 0, METHODS)
+    assert not blends.busy
+    assert blends.held == 8
+    blends.recompute()
+    assert blends.busy
+    assert blends.held == 0
+    wait(blends, qtbot)
+    assert computed == [step(0), step(0)]
+    blends.show((step(1),), 0, METHODS)  # an edit of something large is not blended at once, either
+    assert not blends.busy
+    assert blends.held == 8
+    assert all(state.stale for state in blends.results.values())
+
+
+def test_what_is_not_large_is_blended_beside_it(blends: Blends, qtbot: QtBot, monkeypatch) -> None:  # type: ignore[no-untyped-def]
+    monkeypatch.setattr("app.compute.blends.LARGE", 8)
+    large = subject(CROSSING.source[0], CROSSING.target[0])
+    blends.show((large, step(0)), 0, METHODS)
+    qtbot.waitUntil(lambda: not blends.busy)
+    assert [all(state.fresh for state in states.values()) for states in blends.steps] == [False, True]
+    assert blends.held == 24
