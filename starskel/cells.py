@@ -71,17 +71,17 @@ def cells_of(ground: Triangulation) -> Cells:
 
 def _following(ground: Triangulation) -> list[int]:
     """Give for each half-edge the next one round its cell; -1 where the half-edge is inside a cell."""
-    twins = ground.twins.tolist()
-    following = [h - h % 3 + (h + 1) % 3 for h in range(len(twins))]
-    before = [h - h % 3 + (h + 2) % 3 for h in range(len(twins))]
+    each = np.arange(len(ground.twins))
+    following: list[int] = (each - each % 3 + (each + 1) % 3).tolist()
+    before: list[int] = (each - each % 3 + (each + 2) % 3).tolist()
     is_convex = _convexity(ground)
-    for h, twin in enumerate(twins):
-        if h < twin:
-            ends = (h, before[h], following[twin]), (twin, before[twin], following[h])
-            if all(is_convex(out, inward, following[onward]) for out, inward, onward in ends):
-                for _, inward, onward in ends:
-                    following[inward], before[onward] = onward, inward
-                following[h] = following[twin] = -1
+    diagonals = np.flatnonzero(each < ground.twins)
+    for h, twin in zip(diagonals.tolist(), ground.twins[diagonals].tolist(), strict=True):
+        into, into_twin, onward, onward_twin = before[h], before[twin], following[h], following[twin]
+        if is_convex(h, into, following[onward_twin]) and is_convex(twin, into_twin, following[onward]):
+            following[into], before[onward_twin] = onward_twin, into
+            following[into_twin], before[onward] = onward, into_twin
+            following[h] = following[twin] = -1
     return following
 
 
@@ -89,15 +89,16 @@ def _convexity(ground: Triangulation) -> Callable[[int, int, int], bool]:
     """Give a test for the corners of cells, named by half-edges that begin there, before and behind it."""
     points, ring = ground.points, ground.rings.rows
     before, after = ring[ground.rings.preceding], ring[ground.rings.following]
-    convex = (points.orientation(before, ring, after) >= 0).tolist()
+    in_ring = points.orientation(before, ring, after) >= 0
+    convex = in_ring[ground.triangles.ravel()].tolist()
     corners = ground.triangles.ravel().tolist()
     at = ground.vertices.view(np.complex128)[:, 0].tolist()
     doubtful = doubtful_area(ground.vertices)
 
     def is_convex(here: int, before: int, behind: int) -> bool:
-        v, a, b = corners[here], corners[before], corners[behind]
-        if convex[v]:  # in the ring, so in all parts of it
+        if convex[here]:  # in the ring, so in all parts of it
             return True
+        v, a, b = corners[here], corners[before], corners[behind]
         doubled: float = ((at[v] - at[a]).conjugate() * (at[b] - at[v])).imag
         if abs(doubled) <= doubtful:
             doubled = points.orientation(*ring[[[a], [v], [b]]]).item()

@@ -207,9 +207,9 @@ def _points_of(ring: Floats) -> Points:
     corner = ~_near_chord(np.roll(ring, 1, axis=0), ring, np.roll(ring, -1, axis=0), 2 * slack)
     corner[[np.lexsort(ring.T)[0], np.lexsort(ring.T)[-1]]] = True  # hull vertices: every run ends somewhere
     ends = np.flatnonzero(corner)
-    for first, last in zip(ends, np.append(ends[1:], ends[0] + n), strict=True):
-        if last - first > 1:
-            _straighten(points, int(first), int(last), slack)
+    after = np.append(ends[1:], ends[0] + n)
+    for run in np.flatnonzero(after - ends > 1).tolist():
+        _straighten(points, int(ends[run]), int(after[run]), slack)
     return points
 
 

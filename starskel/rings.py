@@ -78,6 +78,9 @@ def blocks(counts: Indices, most: int) -> list[slice]:
     """Cut things, each of so many parts, into blocks of not many more than so many parts."""
     if not len(counts):
         return []
-    block = np.cumsum(counts) // most
+    done = counts.cumsum()
+    if done[-1] < most:
+        return [slice(0, len(counts))]
+    block = done // most
     ends = [0, *(np.flatnonzero(np.diff(block)) + 1).tolist(), len(counts)]
     return [slice(a, b) for a, b in pairwise(ends)]

@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 
 from starskel.errors import InvalidPolygon, told
 from starskel.points import Points
@@ -13,6 +14,9 @@ from starskel.predicates import Floats, Indices, Relation
 from starskel.rings import Rings
 
 Triangle = tuple[int, int, int]
+
+_ODD = np.uint64(0x9E3779B97F4A7C15)
+"""A multiplier that spreads all bits: 2^64 divided by the golden ratio."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,8 +82,11 @@ def triangulate_rings(points: Points, rings: Rings) -> Triangulation:
     triangles = _delaunay(points, corners)
     if triangles is None:
         triangles = np.concatenate([_one_by_one(points, ring) + first for ring, first in corners.parts()])
-    found = _split_runs(np.flatnonzero(corner)[triangles].tolist(), _runs(corner, rings))
-    triangles = _sorted(np.array(found, dtype=np.intp).reshape(-1, 3))
+    triangles = np.flatnonzero(corner)[triangles]
+    runs = _runs(corner, rings)
+    if runs:
+        triangles = np.array(_split_runs(triangles.tolist(), runs), dtype=np.intp).reshape(-1, 3)
+    triangles = _sorted(triangles)
     return Triangulation(points, rings, triangles, _twins(triangles))
 
 
@@ -116,23 +123,30 @@ def _delaunay(points: Points, corners: Rings) -> Indices | None:
 
 def _vertices_at(places: Floats, ring: Indices, coordinates: Floats, rings: Rings) -> Indices:
     """Give for each place, seen in a ring, the vertex of the ring that is there, or -1."""
-    at, vertices = (np.ascontiguousarray(a).view(np.complex128)[:, 0] for a in (places, coordinates))
-    distinct, number = np.unique(vertices, return_inverse=True)
-    place = np.searchsorted(distinct, at).clip(max=len(distinct) - 1)
-    key, wanted = number * len(rings.counts) + rings.owner, place * len(rings.counts) + ring
-    order = np.argsort(key)
-    found = order[np.searchsorted(key[order], wanted).clip(max=len(key) - 1)]
-    return np.where((vertices[found] == at) & (rings.owner[found] == ring), found, -1)
+    key, wanted = _key(coordinates, rings.owner), _key(places, ring)
+    order = key.argsort()
+    found = order.take(key.take(order).searchsorted(wanted), mode="clip")
+    there = (coordinates.take(found, axis=0) == places).all(axis=1) & (rings.owner[found] == ring)
+    return np.where(there, found, -1)
+
+
+def _key(places: Floats, ring: Indices) -> NDArray[np.uint64]:
+    """Mix the bits of places and rings to numbers that all but never agree for two that differ."""
+    x, y = (places + 0.0).view(np.uint64).T  # adding zero makes -0.0 the same as 0.0
+    key: NDArray[np.uint64] = (x * _ODD + y) * _ODD + ring.astype(np.uint64)
+    return key
 
 
 def _tiles(triangles: Indices, rings: Rings) -> bool:
     """Tell whether counter-clockwise triangles fit together along their edges and end at the rings."""
     starts, ends = _half_edges(triangles)
-    outer = _twins(triangles) < 0
-    n = len(rings.rows)
-    once = len(np.unique(starts * n + ends)) == len(starts)
+    twins = _twins(triangles)
+    outer, inner = np.flatnonzero(twins < 0), np.flatnonzero(twins >= 0)
     return (
-        once and np.count_nonzero(outer) == n and bool((ends[outer] == rings.following[starts[outer]]).all())
+        len(outer) == len(rings.rows) == np.count_nonzero(np.bincount(starts[outer]))
+        and bool((ends[outer] == rings.following[starts[outer]]).all())
+        and bool((starts[twins[inner]] == ends[inner]).all())
+        and bool((twins[twins[inner]] == inner).all())  # no edge is there a third time
     )
 
 
@@ -194,8 +208,6 @@ def _runs(corner: Relation, rings: Rings) -> dict[tuple[int, int], list[int]]:
 
 def _split_runs(waiting: list[Triangle], runs: dict[tuple[int, int], list[int]]) -> list[Triangle]:
     """Split triangles at straight vertices into fans from the opposite corner."""
-    if not runs:
-        return waiting
     done: list[Triangle] = []
     while waiting:
         a, b, c = waiting.pop()
@@ -209,13 +221,17 @@ def _split_runs(waiting: list[Triangle], runs: dict[tuple[int, int], list[int]])
 
 
 def _twins(triangles: Indices) -> Indices:
-    """Give for each half-edge the one that runs the other way, or -1."""
+    """Give for each half-edge another one between the same vertices, or -1."""
     starts, ends = _half_edges(triangles)
-    n = len(starts)  # more than any index
-    order = np.argsort(starts * n + ends)
-    found = order[np.searchsorted((starts * n + ends)[order], ends * n + starts).clip(max=n - 1)]
-    return np.where((starts[found] == ends) & (ends[found] == starts), found, -1)
+    key = np.minimum(starts, ends) * len(starts) + np.maximum(starts, ends)
+    order = key.argsort(kind="stable")
+    key = key.take(order)
+    shared = np.flatnonzero(key[1:] == key[:-1])
+    twins = np.full(len(starts), -1)
+    one, other = order[shared], order[shared + 1]
+    twins[one], twins[other] = other, one
+    return twins
 
 
 def _half_edges(triangles: Indices) -> tuple[Indices, Indices]:
-    return triangles.ravel(), np.roll(triangles, -1, axis=1).ravel()
+    return triangles.ravel(), triangles[:, (1, 2, 0)].ravel()
