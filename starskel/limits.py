@@ -5,6 +5,8 @@ within seconds and half a gigabyte. The largest coordinate is `predicates.LARGES
 memory depends.
 """
 
+from collections import Counter
+
 from starskel.errors import InvalidFile, StarskelError, told
 
 DOCUMENT_BYTES = 200_000_000
@@ -12,6 +14,9 @@ DOCUMENT_BYTES = 200_000_000
 
 DOCUMENT_VALUES = 3_000_000
 """Numbers, texts, lists and objects of a JSON document: a vertex counts three."""
+
+DOCUMENT_RINGS = 20_000
+"""Rings of a project, or of a pair of a file."""
 
 DRAWING_BYTES = 20_000_000
 """An SVG, GeoJSON or WKT file."""
@@ -31,19 +36,22 @@ DRAWING_VALUES = 300_000
 
 DRAWING_SHAPES = 2_000
 """Geometries of a WKT file, features of a GeoJSON file, elements, subpaths and rules of an SVG file, those
-included that `use` repeats; rings of a shape. Each is checked and mended on its own."""
+included that `use` repeats. Each is checked and mended on its own."""
+
+DRAWING_RINGS = 3_000
+"""Rings of all shapes of a drawing, those included that crossings cut off."""
 
 DEPTH = 200
 """How deep elements of an SVG file, and brackets of a WKT file, may be nested."""
 
 CROSSINGS = 5_000
-"""How often the rings of one shape of a file may cross: each is mended."""
+"""How often rings of one shape may cross, in all shapes of a drawing: each is mended."""
 
 OVERLAPS = 100_000
-"""Pairs of rings of one shape whose boxes overlap: each pair is looked at."""
+"""Pairs of rings of one shape whose boxes overlap, in all shapes of a drawing: each pair is looked at."""
 
 EDGES = 2_000_000
-"""Pairs of edges of a shape whose boxes overlap: each pair is looked at."""
+"""Pairs of edges of one shape whose boxes overlap, in all shapes of a file: each pair is looked at."""
 
 RING_VERTICES = 100_000
 """Vertices of a ring of a file."""
@@ -101,6 +109,31 @@ def check_limit(name: str, what: str, count: int, most: int) -> None:
             told("{name} has {count} {what}", name=name, count=count, what=what),
             told("give a file with at most {most} {what}", most=most, what=what),
         )
+
+
+class Tally:
+    """What the shapes of one file come to while they are made: all together are held to the limits.
+
+    Parameters
+    ----------
+    name : str
+        What errors call the file.
+    """
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+        self._counts: Counter[str] = Counter()
+
+    def add(self, what: str, count: int, most: int) -> None:
+        """Count so many more, of at most so many.
+
+        Raises
+        ------
+        InvalidFile
+            As `check_limit` does.
+        """
+        self._counts[what] += count
+        check_limit(self._name, what, self._counts[what], most)
 
 
 def check_size(what: str, count: int, most: int, mend: str) -> None:

@@ -500,10 +500,6 @@
         <translation>ein Teil ohne Fläche wurde weggelassen</translation>
     </message>
     <message>
-        <source>a shape</source>
-        <translation>eine Form</translation>
-    </message>
-    <message>
         <source>rings</source>
         <translation>Ringe</translation>
     </message>
@@ -690,6 +686,10 @@
     <message>
         <source>give a TrueType or OpenType font</source>
         <translation>geben Sie eine TrueType- oder OpenType-Schrift an</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>die Datei</translation>
     </message>
     <message>
         <source>&quot;{text}&quot; has no outline</source>

@@ -17,7 +17,7 @@ from starskel.files.project import Project, letter
 from starskel.files.raster import image_of
 from starskel.files.shapes import Row, marked_shapes, polygon_of
 from starskel.images.placed import PlacedImage
-from starskel.limits import PICTURE_BYTES
+from starskel.limits import PICTURE_BYTES, Tally
 from starskel.polygon import Polygon
 
 FORMAT = IMAGE_PAIRS
@@ -99,7 +99,7 @@ def _side(path: Path, side: _Side, where: str) -> tuple[PlacedImage, Polygon, by
     content = read_bytes(path.parent / name, PICTURE_BYTES)
     picture = PlacedImage(image_of(content, str(path.parent / name)))
     rows = picture.to_document(side.outline).tolist() if side.outline else []
-    return picture, polygon_of(rows, where), content
+    return picture, polygon_of(rows, where, Tally(where)), content
 
 
 def _picture(image: PlacedImage, content: bytes) -> Picture:

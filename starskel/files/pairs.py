@@ -12,6 +12,7 @@ from starskel.errors import told
 from starskel.files.documents import check_format, read_document, write_document
 from starskel.files.pair_file import PairFile
 from starskel.files.shapes import Row, marked_shapes, polygon_of, rows_of
+from starskel.limits import Tally
 from starskel.polygon import Polygon
 
 FORMAT = "polygon-pairs/1"
@@ -80,8 +81,9 @@ def read_pairs(path: Path) -> PairFile[ShapePair]:
 
 def _checked(path: Path, entry: _Entry) -> ShapePair:
     where = told('{path}: pair "{name}"', path=path, name=entry.id)
-    source = polygon_of(entry.p, told("{where}: {what}", where=where, what=told("source (p)")))
-    target = polygon_of(entry.q, told("{where}: {what}", where=where, what=told("target (q)")))
+    tally = Tally(where)
+    source = polygon_of(entry.p, told("{where}: {what}", where=where, what=told("source (p)")), tally)
+    target = polygon_of(entry.q, told("{where}: {what}", where=where, what=told("target (q)")), tally)
     source, target, marks = marked_shapes(source, target, entry.marks, where)
     return ShapePair(entry.id, source, target, marks, tags=tuple(entry.tags), origin=entry.source)
 

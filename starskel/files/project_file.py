@@ -18,6 +18,7 @@ from starskel.files.picture import Picture, Share
 from starskel.files.project import Project, letter
 from starskel.files.shapes import Row, polygon_of, rows_of
 from starskel.files.step import Link, Step
+from starskel.limits import Tally
 from starskel.polygon import Polygon
 
 FORMAT = "starskel-project"
@@ -181,9 +182,9 @@ def read_project(path: Path) -> Project:
         If it cannot be read, is damaged, is no project, is one of a newer version, or holds invalid things.
     """
     check_format(path, FORMAT)
-    document = _read(path)
+    document, tally = _read(path), Tally(str(path))
     shapes = tuple(
-        _shape(shape, told("{path}: shape {letter}", path=path, letter=letter(number)))
+        _shape(shape, told("{path}: shape {letter}", path=path, letter=letter(number)), tally)
         for number, shape in enumerate(document.shapes)
     )
     steps = tuple(
@@ -282,12 +283,12 @@ def _links(ends: tuple[_Shape, _Shape], marks: list[Mark]) -> list[_ThirdLink]:
     return [] if source is target is None and not marks else [_ThirdLink(source, target, None, marks)]
 
 
-def _shape(shape: _Shape, where: str) -> KeyShape:
+def _shape(shape: _Shape, where: str, tally: Tally) -> KeyShape:
     several = len(shape.parts) > 1
     parts = [
         Part(
             polygon_of(
-                part.ring, told("{where}, part {number}", where=where, number=k) if several else where
+                part.ring, told("{where}, part {number}", where=where, number=k) if several else where, tally
             ),
             part.name,
             part.colour,

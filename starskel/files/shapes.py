@@ -6,7 +6,7 @@ import numpy as np
 
 from starskel.correspondence.marks import Mark, checked_marks
 from starskel.errors import InvalidFile, InvalidMarks, InvalidPolygon, told
-from starskel.limits import EDGES, RING_VERTICES, check_limit
+from starskel.limits import DOCUMENT_RINGS, EDGES, RING_VERTICES, Tally, check_limit
 from starskel.polygon import Polygon, overlapping_edges
 from starskel.predicates import Floats
 
@@ -18,24 +18,38 @@ def rows_of(polygon: Polygon) -> list[Row]:
     return [(x, y) for x, y in polygon.vertices.tolist()]
 
 
-def polygon_of(rows: Sequence[Row], where: str) -> Polygon:
+def polygon_of(rows: Sequence[Row], where: str, tally: Tally) -> Polygon:
     """Give the polygon of a file's rows.
+
+    Parameters
+    ----------
+    rows : sequence of (float, float)
+    where : str
+        What errors call it.
+    tally : Tally
+        Of the file.
 
     Raises
     ------
     InvalidFile
-        If it has too many vertices, or from the polygon's own error, with `where` put in front.
+        If it has too many vertices, or all rings of the file have too much; or from the polygon's own
+        error, with `where` put in front.
     """
     check_limit(where, told("vertices"), len(rows), RING_VERTICES)
-    if rows:
-        check_edges(where, [np.asarray(rows, dtype=np.float64)])
+    check_rings([rows], tally)
     try:
         return Polygon(rows)
     except InvalidPolygon as error:
         raise InvalidFile.holding(error, where) from error
 
 
-def check_edges(what: str, rings: Sequence[Floats]) -> None:
+def check_rings(rings: Sequence[Sequence[Row]], tally: Tally) -> None:
+    """Refuse more rings than are made in a short time, as `check_edges` does edges."""
+    tally.add(told("rings"), len(rings), DOCUMENT_RINGS)
+    check_edges([np.asarray(rows, dtype=np.float64) for rows in rings if rows], tally)
+
+
+def check_edges(rings: Sequence[Floats], tally: Tally) -> None:
     """Refuse edges that lie so close to each other that looking for crossings would take time without end.
 
     Raises
@@ -43,7 +57,8 @@ def check_edges(what: str, rings: Sequence[Floats]) -> None:
     InvalidFile
         Naming the limit and the value.
     """
-    check_limit(what, told("edges beside each other"), overlapping_edges(rings, EDGES), EDGES)
+    if rings:
+        tally.add(told("edges beside each other"), overlapping_edges(rings, EDGES), EDGES)
 
 
 def marked_shapes(

@@ -7,6 +7,7 @@ import numpy as np
 import uharfbuzz
 
 from starskel.errors import InvalidFile, told
+from starskel.limits import Tally
 from starskel.predicates import Floats
 from starskel.reading.curves import flattened
 from starskel.reading.found import Found, Reading, uniquely_named
@@ -40,7 +41,8 @@ def read(content: bytes, wanted: Wanted) -> Reading:
     usual = [letter for letter in USUAL if ord(letter) in known] or list(map(chr, sorted(known)))[:_MOST]
     for text in wanted.texts:
         _check(text, known)
-    made = [(text, _shape(font, text, wanted.tolerance)) for text in wanted.texts or usual]
+    tally = Tally(told("the file"))
+    made = [(text, _shape(font, text, wanted.tolerance, tally)) for text in wanted.texts or usual]
     empty = [text for text, shape in made if shape is None]
     notes = [told('"{text}" has no outline', text=text) for text in empty if wanted.texts]
     shapes = [Found(text, *shape) for text, shape in made if shape is not None]
@@ -58,12 +60,14 @@ def _check(text: str, known: set[int]) -> None:
         raise InvalidFile(told("a text is empty"), told("give at least one letter"))
 
 
-def _shape(font: uharfbuzz.Font, text: str, tolerance: float) -> tuple[Shape, tuple[str, ...]] | None:
+def _shape(
+    font: uharfbuzz.Font, text: str, tolerance: float, tally: Tally
+) -> tuple[Shape, tuple[str, ...]] | None:
     rings = _rings(font, text)
     box = np.concatenate([np.empty((0, 2)), *(np.concatenate(ring) for ring in rings)])
     reach = tolerance * float(np.ptp(box, axis=0).max()) if len(box) else 0.0
     lines = [np.concatenate([flattened(curve, reach) for curve in ring]) for ring in rings]
-    return shape_of_rings(lines, "nonzero")
+    return shape_of_rings(lines, "nonzero", tally)
 
 
 def _rings(font: uharfbuzz.Font, text: str) -> list[list[Floats]]:

@@ -7,7 +7,7 @@ import msgspec
 import shapely
 
 from starskel.errors import InvalidFile, told
-from starskel.limits import DRAWING_BYTES, DRAWING_SHAPES, DRAWING_VALUES, check_limit
+from starskel.limits import DRAWING_BYTES, DRAWING_SHAPES, DRAWING_VALUES, Tally, check_limit
 from starskel.reading.areas import area_of
 from starskel.reading.found import Found, Reading, uniquely_named
 from starskel.reading.wanted import Wanted
@@ -55,9 +55,9 @@ def read(content: bytes, wanted: Wanted) -> Reading:
         raise InvalidFile(
             told("the GeoJSON is damaged: {error}", error=error), told("take an undamaged copy")
         ) from error
-    shapes, empty = [], 0
+    tally, shapes, empty = Tally(told("the file")), [], 0
     for number, ((name, _), geometry) in enumerate(zip(features, geometries, strict=True), 1):
-        made = area_of(geometry)
+        made = area_of(geometry, tally)
         empty += made is None
         if made is not None:
             shapes.append(Found(name or told("shape {number}", number=number), *made))

@@ -9,7 +9,7 @@ import shapely
 
 from starskel.errors import InvalidFile, InvalidPolygon, told
 from starskel.files.shapes import check_edges
-from starskel.limits import CROSSINGS, DRAWING_SHAPES, OVERLAPS, check_limit
+from starskel.limits import CROSSINGS, DRAWING_RINGS, OVERLAPS, Tally
 from starskel.outline import signed_areas
 from starskel.polygon import Polygon, edge_blocks
 from starskel.predicates import LARGEST, Floats, Indices
@@ -33,7 +33,7 @@ _CRUMB = 1e-9
 """Faces smaller than this part of the square over the longer side of the box are left out."""
 
 
-def shape_of_rings(rings: Sequence[Floats], rule: Rule) -> tuple[Shape, tuple[str, ...]] | None:
+def shape_of_rings(rings: Sequence[Floats], rule: Rule, tally: Tally) -> tuple[Shape, tuple[str, ...]] | None:
     """Give what rings enclose by a rule for filling, and what was mended; None where that is nothing.
 
     Parameters
@@ -42,27 +42,33 @@ def shape_of_rings(rings: Sequence[Floats], rule: Rule) -> tuple[Shape, tuple[st
         In any order, closed or open; by "nonzero" their direction matters.
     rule : {"nonzero", "evenodd"}
         Which points are inside: those that the rings wind round, or wind round an odd number of times.
+    tally : Tally
+        Of the file that they are from.
+
+    Raises
+    ------
+    InvalidFile
+        If there is too much in the file, or it cannot be mended.
     """
     repairs: list[str] = []
     kept = [cleaned for ring in rings if (cleaned := _cleaned(ring, repairs)) is not None]
     if not kept:
         return None
-    check_limit(told("a shape"), told("rings"), len(kept), DRAWING_SHAPES)
-    check_edges(told("a shape"), kept)
-    near = _near(kept)
+    tally.add(told("rings"), len(kept), DRAWING_RINGS)
+    check_edges(kept, tally)
     polygons = _polygons(kept)
     if polygons is None or rings_meet(kept):
-        check_crossings(kept)
+        check_crossings(kept, tally)
         repairs.append(told("it crossed or touched itself and was cut there"))
-        return shape_of_geometry(_filled(kept, rule), repairs)
+        return shape_of_geometry(_filled(kept, rule), tally, repairs)
     if len(polygons) == 1:
         return Shape(polygons), tuple(repairs)
-    parts = _parts(kept, rule, near)
+    parts = _parts(kept, rule, _near(kept, tally))
     return (Shape.of_parts(parts), tuple(repairs)) if parts else None
 
 
 def shape_of_geometry(
-    geometry: shapely.Geometry, repairs: Sequence[str] = ()
+    geometry: shapely.Geometry, tally: Tally, repairs: Sequence[str] = ()
 ) -> tuple[Shape, tuple[str, ...]] | None:
     """Give an area as a shape, and what was mended; None where it has no extent.
 
@@ -70,16 +76,22 @@ def shape_of_geometry(
     ----------
     geometry : shapely.Geometry
         Of what is in it only polygons count.
+    tally : Tally
+        Of the file that it is from.
     repairs : sequence of str
         What was mended before.
+
+    Raises
+    ------
+    InvalidFile
+        As by `shape_of_rings`.
     """
     told_already = list(repairs)
     rings = [shapely.get_coordinates(ring)[:-1] for ring in _rings(geometry)]
-    check_limit(told("a shape"), told("rings"), len(rings), DRAWING_SHAPES)
-    if rings:
-        check_edges(told("a shape"), rings)
+    tally.add(told("rings"), len(rings), DRAWING_RINGS)
+    check_edges(rings, tally)
     if not shapely.is_valid(geometry):
-        check_crossings(rings)
+        check_crossings(rings, tally)
         reason = shapely.is_valid_reason(geometry).replace("[", " at (").replace("]", ")")
         told_already.append(told("it was no proper area and was mended: {reason}", reason=reason))
         geometry = shapely.make_valid(geometry, method="structure")
@@ -143,7 +155,7 @@ def _edges(rings: Sequence[Floats]) -> tuple[Floats, Floats]:
     return np.concatenate(rings), np.concatenate([np.roll(ring, -1, axis=0) for ring in rings])
 
 
-def _near(rings: Sequence[Floats]) -> Indices:
+def _near(rings: Sequence[Floats], tally: Tally) -> Indices:
     """Give the pairs i > j of rings whose boxes overlap, (k, 2)."""
     boxes = shapely.box(*np.array([[*ring.min(axis=0), *ring.max(axis=0)] for ring in rings]).T)
     tree = shapely.STRtree(boxes)
@@ -151,20 +163,20 @@ def _near(rings: Sequence[Floats]) -> Indices:
     for first in range(0, len(boxes), _BOXES):
         i, j = tree.query(boxes[first : first + _BOXES])
         found.append(np.stack([i + first, j], axis=1)[i + first > j])
-        check_limit(told("a shape"), told("overlapping parts"), sum(map(len, found)), OVERLAPS)
+        tally.add(told("overlapping parts"), len(found[-1]), OVERLAPS)
     pairs: Indices = np.concatenate(found)
     return pairs[np.lexsort(pairs.T[::-1])]
 
 
-def check_crossings(rings: Sequence[Floats]) -> None:
-    """Refuse a tangle, which has as many crossings as its edges squared."""
+def check_crossings(rings: Sequence[Floats], tally: Tally) -> None:
+    """Refuse tangles, which have as many crossings as their edges squared."""
     starts, ends = _edges(rings)
     edges = shapely.linestrings(np.stack([starts, ends], axis=1))
     tree = shapely.STRtree(edges)
-    meeting = -3 * len(edges)  # each meets itself and two neighbours
     for block in edge_blocks(starts, ends):
-        meeting += tree.query(edges[block], predicate="intersects").shape[1]
-        check_limit(told("a shape"), told("crossings"), meeting // 2, CROSSINGS)
+        meeting = tree.query(edges[block], predicate="intersects").shape[1]
+        others = max(0, meeting - 3 * len(block))  # each meets itself and two neighbours
+        tally.add(told("crossings"), others // 2, CROSSINGS)
 
 
 def _parts(rings: Sequence[Floats], rule: Rule, near: Indices) -> list[tuple[Floats, list[Floats]]]:

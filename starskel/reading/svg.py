@@ -16,6 +16,7 @@ import shapely
 import svgelements
 
 from starskel.errors import InvalidFile, told
+from starskel.limits import Tally
 from starskel.predicates import Floats
 from starskel.reading.found import Found, Reading, uniquely_named
 from starskel.reading.mending import Rule, check_crossings, shape_of_geometry, shape_of_rings
@@ -44,7 +45,7 @@ def read(content: bytes, wanted: Wanted) -> Reading:
         If it is damaged, or declares entities, which could make it swell without end.
     """
     root = _scanned(content)
-    notes = _notes(root)
+    notes, tally = _notes(root), Tally(told("the file"))
     _tidy(root)
     try:
         drawing = svgelements.SVG.parse(io.BytesIO(ElementTree.tostring(root)), reify=True)
@@ -53,7 +54,7 @@ def read(content: bytes, wanted: Wanted) -> Reading:
             shapes = [
                 found
                 for number, element in enumerate(elements, 1)
-                for found in _found(element, number, wanted.tolerance)
+                for found in _found(element, number, wanted.tolerance, tally)
             ]
     except InvalidFile:
         raise
@@ -111,36 +112,38 @@ def _notes(root: ElementTree.Element) -> tuple[str, ...]:
     return tuple(told("{what} in the file were left out", what=what) for what in left_out)
 
 
-def _found(element: svgelements.Shape, number: int, tolerance: float) -> Iterator[Found]:
+def _found(element: svgelements.Shape, number: int, tolerance: float, tally: Tally) -> Iterator[Found]:
     """Give what an element draws, where it draws anything."""
     filled, stroked = _painted(element.fill), _painted(element.stroke)
     if element.values.get("visibility") == "hidden" or not (filled or stroked):
         return
     path = svgelements.Path(element).reify()
     lines, reach = lines_of(path, tolerance)
-    made = _fill(element, lines) if filled else _stroke(element, lines, reach)
+    made = _fill(element, lines, tally) if filled else _stroke(element, lines, reach, tally)
     if made is not None:
         tag = str(element.values.get("tag") or "path")
         yield Found(str(element.id or f"{tag} {number}"), *made)
 
 
-def _fill(element: svgelements.Shape, lines: list[Floats]) -> tuple[Shape, tuple[str, ...]] | None:
+def _fill(
+    element: svgelements.Shape, lines: list[Floats], tally: Tally
+) -> tuple[Shape, tuple[str, ...]] | None:
     rule: Rule = "evenodd" if element.values.get("fill-rule") == "evenodd" else "nonzero"
     open_ends = any((line[0] != line[-1]).any() for line in lines)
-    made = shape_of_rings(lines, rule)
+    made = shape_of_rings(lines, rule, tally)
     if made is None or not open_ends:
         return made
     return made[0], (told("an open path was closed"), *made[1])
 
 
 def _stroke(
-    element: svgelements.Shape, lines: list[Floats], reach: float
+    element: svgelements.Shape, lines: list[Floats], reach: float, tally: Tally
 ) -> tuple[Shape, tuple[str, ...]] | None:
     caps, joints = {"round": "round", "square": "square"}, {"round": "round", "bevel": "bevel"}
     width = float(element.stroke_width or 0)
     if not lines or width <= 0:
         return None
-    check_crossings(lines)
+    check_crossings(lines, tally)
     with np.errstate(divide="ignore", invalid="ignore"):  # GEOS divides by the length of dots
         areas = [
             shapely.buffer(
@@ -152,7 +155,7 @@ def _stroke(
             )
             for line in lines
         ]
-    return shape_of_geometry(shapely.union_all(areas), [told("it is the outline of a stroke")])
+    return shape_of_geometry(shapely.union_all(areas), tally, [told("it is the outline of a stroke")])
 
 
 def _curve(line: Floats) -> shapely.Geometry:

@@ -7,7 +7,15 @@ import numpy as np
 import shapely
 
 from starskel.errors import InvalidFile, told
-from starskel.limits import DEPTH, DRAWING_BYTES, DRAWING_SHAPES, DRAWING_VALUES, RING_VERTICES, check_limit
+from starskel.limits import (
+    DEPTH,
+    DRAWING_BYTES,
+    DRAWING_SHAPES,
+    DRAWING_VALUES,
+    RING_VERTICES,
+    Tally,
+    check_limit,
+)
 from starskel.reading.areas import area_of
 from starskel.reading.found import Found, Reading
 from starskel.reading.wanted import Wanted
@@ -37,7 +45,7 @@ def read(content: bytes, wanted: Wanted) -> Reading:
     InvalidFile
         If it is damaged, no WKT, or exceeds a limit.
     """
-    shapes, empty = [], 0
+    tally, shapes, empty = Tally(told("the file")), [], 0
     for number, text in enumerate(_geometries(content), 1):
         try:
             with np.errstate(over="ignore", invalid="ignore"):  # what lies beyond all numbers is refused
@@ -47,7 +55,7 @@ def read(content: bytes, wanted: Wanted) -> Reading:
                 told("geometry {number} of the WKT is damaged: {error}", number=number, error=error),
                 told("take an undamaged copy"),
             ) from error
-        made = area_of(geometry)
+        made = area_of(geometry, tally)
         empty += made is None
         if made is not None:
             shapes.append(Found(told("shape {number}", number=number), *made))

@@ -214,6 +214,8 @@ def rings_meet(rings: Sequence[Floats]) -> bool:
     ----------
     rings : sequence of (n, 2) arrays
     """
+    if len(rings) < 2:
+        return False
     starts = np.concatenate(rings)
     ends = np.concatenate([np.roll(ring, -1, axis=0) for ring in rings])
     owner = np.repeat(np.arange(len(rings)), [len(ring) for ring in rings])

@@ -18,6 +18,10 @@ CLOSED = ", ".join(map(" ".join, zip([*POINTS[::2], POINTS[0]], [*POINTS[1::2], 
 STROKED = f'<path d="M{TANGLE}" fill="none" stroke="black"/>'
 NESTED = "".join(f"M-{k}-{k}H{k}V{k}H-{k}z" for k in range(1, 500))
 ZIGZAG = "".join(f"L{k + 30000} 30000L{k + 1} 1" for k in range(6000))
+CROSSED = "M0 0" + "".join(f"L{1000 * (k % 2)} {13 * k % 1000}" for k in range(130)) + "z"
+MANY = "".join(f'<path d="{CROSSED}"/>' for _ in range(200))
+BOW = "POLYGON ((" + ", ".join(f"{1000 * (k % 2)} {13 * k % 1000}" for k in range(99)) + ", 0 0))\n"
+TRIANGLES = ", ".join(f"(({k} 0, {k + 1} 0, {k} 1, {k} 0))" for k in range(0, 2800, 2))
 POINT = b'{"type":"Feature","geometry":{"type":"Point","coordinates":[1,2]}}'
 POINTS_OF_A_MAP = b'{"type":"FeatureCollection","features":[' + b",".join([POINT] * 2001) + b"]}"
 
@@ -43,11 +47,12 @@ POINTS_OF_A_MAP = b'{"type":"FeatureCollection","features":[' + b",".join([POINT
         (f'<path d="{"M0 0h1v1z" * 2001}"/>', "2003 elements and subpaths; give a file with at most 2000"),
         (f'<path d="{NESTED}"/>', "overlapping parts; give a file with at most 100000"),
         (f'<path d="M0 0{ZIGZAG}L20000 -5z"/>', "edges beside each other; give a file with at most 2000000"),
+        (MANY, "the file has [0-9]+ rings; give a file with at most 3000"),
         ("<style>" + "a{b:c}" * 2001 + "</style>", "2001 rules; give a file with at most 2000"),
         (" " * 20_000_001, "bytes; give a file with at most 20000000"),
         ('<path d="M0 0H1e308V1e308H-1e308Z"/>', "holds no shape"),
     ],
-    ids=[str(k) for k in range(18)],
+    ids=[str(k) for k in range(19)],
 )
 def test_a_drawing_beyond_a_limit_is_refused_naming_it(inside: str, why: str) -> None:
     with pytest.raises(InvalidFile, match=why):
@@ -94,9 +99,15 @@ def test_an_unknown_encoding_is_a_damaged_file() -> None:
         (b"POINT (1 1)\n" * 2001, "a.wkt", "2001 shapes; give a file with at most 2000"),
         (b"()" * 100_001, "a.wkt", "100001 brackets; give a file with at most 100000"),
         (b"GEOMETRYCOLLECTION (CIRCULARSTRING (0 0, 1 1, 2 0))", "a.wkt", "holds no shape"),
+        (BOW.encode() * 900, "a.wkt", "the file has [0-9]+ crossings; give a file with at most 5000"),
+        (
+            f"MULTIPOLYGON ({TRIANGLES})\n".encode() * 3,
+            "a.wkt",
+            "the file has 4200 rings; give a file with at most",
+        ),
         (POINTS_OF_A_MAP, "a.geojson", "2001 shapes; give a file with at most 2000"),
     ],
-    ids=[str(k) for k in range(13)],
+    ids=[str(k) for k in range(15)],
 )
 def test_maps_beyond_a_limit_or_of_other_things_are_refused(content: bytes, path: str, why: str) -> None:
     with pytest.raises(InvalidFile, match=why):
