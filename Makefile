@@ -1,7 +1,6 @@
 # make run, make test and make bench set up all they need themselves; nothing has to be installed before but Python.
 PYTHON ?= python3
 BIN := .venv/bin
-READERS := project record pairs multi-pairs image-pairs svg geojson wkt font silhouette picture animation
 EXAMPLE := resources/examples/arm.json
 
 .PHONY: run test endurance fuzz translations bench setup qt clean
@@ -44,7 +43,9 @@ translations: setup
 	$(BIN)/python .ci/translations.py
 
 fuzz: setup
-	for reader in $(READERS); do $(BIN)/python -m tests.fuzzing $$reader || exit 1; done
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[fuzz]'
+	$(BIN)/python -m tests.fuzzing
+	$(BIN)/python -m tests.fuzzing --atheris
 
 bench: setup
 	$(BIN)/python -m tests.benchmarks

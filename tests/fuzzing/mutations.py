@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from random import Random
 
 from hypothesis import strategies as st
 
@@ -29,6 +30,12 @@ _step = st.tuples(
 def broken(seeds: Sequence[bytes]) -> st.SearchStrategy[bytes]:
     """Give files that come from these by one to five steps."""
     return st.builds(_mutated, st.sampled_from(list(seeds)), st.lists(_step, min_size=1, max_size=5))
+
+
+def broken_once(content: bytes, numbers: Random) -> bytes:
+    """Change a file by one step, of random numbers."""
+    step = numbers.choice(_KINDS), numbers.random(), numbers.random(), numbers.randrange(2**16)
+    return _changed(content, *step)
 
 
 def _mutated(content: bytes, steps: Sequence[tuple[str, float, float, int]]) -> bytes:

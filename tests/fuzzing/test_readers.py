@@ -1,6 +1,9 @@
 """Broken files of every kind: only errors of the library's own come of them, and no warning."""
 
 import contextlib
+import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -47,3 +50,11 @@ FOUND = sorted((ROOT / "tests" / "files" / "broken").iterdir())
 def test_what_was_found_stays_mended(path: Path) -> None:
     with contextlib.suppress(StarskelError):
         READERS[path.suffix.removeprefix(".")].read(path.read_bytes())
+
+
+def test_fuzzing_tells_what_came_of_the_inputs() -> None:
+    command = [sys.executable, "-m", "tests.fuzzing", "wkt", "--examples", "30"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    told = re.fullmatch(r"wkt: (\d+) read, (\d+) refused, longest .* s, peak .* MB\n", done.stdout)
+    assert told, done.stdout
+    assert sum(map(int, told.groups())) == 30
