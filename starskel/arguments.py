@@ -7,8 +7,9 @@ from typing import TypeVar
 
 import numpy as np
 
+from starskel.arrays import Floats
 from starskel.errors import StarskelError, either
-from starskel.predicates import LARGEST, Floats
+from starskel.predicates import LARGEST
 
 Item = TypeVar("Item")
 Key = TypeVar("Key")

@@ -1,9 +1,15 @@
-"""Arrays that nobody can write to: what is handed out stays what it was proven to be."""
+"""Arrays: what their types are called, and how what is handed out stays what it was proven to be."""
 
 from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Indices = NDArray[np.intp]
+Signs = NDArray[np.int8]
+Flags = NDArray[np.bool_]
 
 Number = TypeVar("Number", bound=np.generic)
 

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import Indices
 from starskel.points import doubtful_area
-from starskel.predicates import Indices
 from starskel.triangulation import Triangulation
 
 

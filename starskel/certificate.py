@@ -14,10 +14,10 @@ from fractions import Fraction
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
+from starskel.arrays import Complex, Flags, Floats, Indices
 from starskel.polar import as_complex
-from starskel.predicates import UNIT, Complex, Floats, Indices
+from starskel.predicates import UNIT
 
 HALVINGS = 8
 """How often a curve is halved before rational arithmetic decides."""
@@ -49,7 +49,7 @@ def safe(before: Floats, after: Floats) -> bool:
     return not any(meet(before, after, vertex, edge) for vertex, edge in pairs)
 
 
-def safe_rings(before: Floats, after: Floats, following: Indices, excused: NDArray[np.bool_]) -> bool:
+def safe_rings(before: Floats, after: Floats, following: Indices, excused: Flags) -> bool:
     """Tell whether rings touch neither themselves nor each other while their vertices move evenly.
 
     Exact, like `safe`.
@@ -166,7 +166,7 @@ def _undecided(p0: Complex, q0: Complex, p1: Complex, q1: Complex) -> Indices:
     return np.unique(np.concatenate([rows[~_clear(curves, bounds)], *found]))
 
 
-def _clear(curves: Complex, bounds: Floats) -> NDArray[np.bool_]:
+def _clear(curves: Complex, bounds: Floats) -> Flags:
     """Tell which (3, k) triangles lie in one of five half-planes without the negative real axis."""
     real, imaginary = curves.real, curves.imag
     low, high = imaginary.min(axis=0), imaginary.max(axis=0)

@@ -9,10 +9,10 @@ from itertools import pairwise
 
 import numpy as np
 
+from starskel.arrays import Complex, Floats, Indices
 from starskel.certificate import near_pairs, seen_ends
 from starskel.outline import edge_lengths
 from starskel.polar import as_complex
-from starskel.predicates import Complex, Floats, Indices
 from starskel.task import UNWATCHED, Task
 
 TIGHT = 0.9

@@ -2,11 +2,9 @@
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
-from starskel.predicates import Floats, orientation
-
-Flags = NDArray[np.bool_]
+from starskel.arrays import Flags, Floats
+from starskel.predicates import orientation
 
 
 def edge_vectors(rings: Floats) -> Floats:

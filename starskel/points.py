@@ -13,9 +13,9 @@ from itertools import product
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from starskel.predicates import ROUNDING, Complex, Floats, Indices, Signs, orientation
+from starskel.arrays import Complex, Flags, Floats, Indices, Signs
+from starskel.predicates import ROUNDING, orientation
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,9 +38,9 @@ class Points:
     places: dict[int, "_Place"] = field(default_factory=dict, repr=False)
 
     @property
-    def rounded(self) -> NDArray[np.bool_]:
+    def rounded(self) -> Flags:
         """For each point whether its coordinates miss its place, which its share tells."""
-        rounded: NDArray[np.bool_] = self.start != self.end
+        rounded: Flags = self.start != self.end
         return rounded
 
     def with_free(self, coordinates: Floats) -> "Points":
@@ -235,8 +235,8 @@ def _straighten(points: Points, first: int, last: int, slack: float) -> None:
             runs += [(first, split), (split, last)]
 
 
-def _near_chord(a: Floats, v: Floats, b: Floats, slack: float) -> NDArray[np.bool_]:
-    near: NDArray[np.bool_] = _distance(a, v, b) <= slack
+def _near_chord(a: Floats, v: Floats, b: Floats, slack: float) -> Flags:
+    near: Flags = _distance(a, v, b) <= slack
     return near
 
 

@@ -4,8 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from starskel.arrays import ReadOnlyArrays
-from starskel.predicates import Complex, Floats
+from starskel.arrays import Complex, Floats, ReadOnlyArrays
 
 
 def as_complex(points: Floats) -> Complex:

@@ -5,13 +5,13 @@ from functools import cached_property
 
 import numpy as np
 import shapely
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from starskel.arguments import whole_number
-from starskel.arrays import read_only
+from starskel.arrays import Floats, Indices, read_only
 from starskel.errors import InvalidPolygon, told
 from starskel.outline import signed_areas
-from starskel.predicates import LARGEST, ROUNDING, Floats, Indices, folds_back, orientation, segments_meet
+from starskel.predicates import LARGEST, ROUNDING, folds_back, orientation, segments_meet
 
 CLEARANCE = 4
 """Roundings of the largest coordinate: so far vertices must stay from edges that they are no end of."""
@@ -98,7 +98,7 @@ class Polygon:
         return int(self._order[point])  # turning round is its own inverse
 
 
-def crossing_edges(ring: Floats) -> NDArray[np.intp]:
+def crossing_edges(ring: Floats) -> Indices:
     """Give the pairs (i, j), i < j, of edges that meet though they should not, as a (k, 2) array.
 
     Edge i runs from vertex i to the next. Neighbouring edges meet wrongly where one folds back on the other.
@@ -106,7 +106,7 @@ def crossing_edges(ring: Floats) -> NDArray[np.intp]:
     return np.concatenate(list(_crossings(ring)))
 
 
-def _crossings(ring: Floats) -> Iterator[NDArray[np.intp]]:
+def _crossings(ring: Floats) -> Iterator[Indices]:
     """Give the same block by block, in order."""
     n = len(ring)
     ends = np.roll(ring, -1, axis=0)
@@ -121,7 +121,7 @@ def _crossings(ring: Floats) -> Iterator[NDArray[np.intp]]:
         i, j = i[apart], j[apart]
         meet = segments_meet(ring[i], ends[i], ring[j], ends[j])
         own = folded[(block[0] <= folded[:, 0]) & (folded[:, 0] <= block[-1])]
-        pairs: NDArray[np.intp] = np.concatenate([own, np.stack([i[meet], j[meet]], axis=1)])
+        pairs: Indices = np.concatenate([own, np.stack([i[meet], j[meet]], axis=1)])
         yield pairs[np.lexsort(pairs.T[::-1])]
 
 
@@ -168,7 +168,7 @@ def overlapping_edges(rings: Sequence[Floats], most: int) -> int:
     return max(twice, 0) // 2
 
 
-def meeting_places(ring: Floats, pairs: NDArray[np.intp]) -> Floats:
+def meeting_places(ring: Floats, pairs: Indices) -> Floats:
     """Give where each of the (k, 2) pairs of edges meet, as (k, 2) points; of a common stretch its middle."""
     edges = shapely.linestrings(np.stack([ring, np.roll(ring, -1, axis=0)], axis=1)[pairs])
     shared = shapely.intersection(edges[:, 0], edges[:, 1])

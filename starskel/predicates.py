@@ -9,13 +9,8 @@ This module holds the only tolerance of the library, `ROUNDING`.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
-Signs = NDArray[np.int8]
-Indices = NDArray[np.intp]
-Complex = NDArray[np.complex128]
-Relation = NDArray[np.bool_]
+from starskel.arrays import Flags, Floats, Signs
 
 UNIT = 2.0**-53
 """The largest relative error of one rounded operation."""
@@ -61,12 +56,12 @@ def _exact_orientation(a: Floats, b: Floats, c: Floats) -> Signs:
     return _sign_of_cross_products([(a, b), (b, c), (c, a)])
 
 
-def _exact_difference(a: Floats, b: Floats) -> NDArray[np.bool_]:
+def _exact_difference(a: Floats, b: Floats) -> Flags:
     """Tell whether a - b is free of rounding in both coordinates (the error term of Knuth's sum)."""
     difference = a - b
     virtual = a - difference
     error = (a - (difference + virtual)) + (virtual - b)
-    exact: NDArray[np.bool_] = (error == 0).all(axis=1)
+    exact: Flags = (error == 0).all(axis=1)
     return exact
 
 
@@ -109,16 +104,16 @@ def _sign_of_sum(parts: Floats) -> Signs:
     return signs
 
 
-def segments_meet(a: Floats, b: Floats, c: Floats, d: Floats) -> NDArray[np.bool_]:
+def segments_meet(a: Floats, b: Floats, c: Floats, d: Floats) -> Flags:
     """Tell whether the closed segments ab and cd, whose boxes overlap, have a common point, exactly."""
     parted_by_ab = orientation(a, b, c) * orientation(a, b, d) > 0
     parted_by_cd = orientation(c, d, a) * orientation(c, d, b) > 0
-    meet: NDArray[np.bool_] = ~(parted_by_ab | parted_by_cd)
+    meet: Flags = ~(parted_by_ab | parted_by_cd)
     return meet
 
 
-def folds_back(a: Floats, b: Floats, c: Floats) -> NDArray[np.bool_]:
+def folds_back(a: Floats, b: Floats, c: Floats) -> Flags:
     """Tell whether the way from a over b to c turns back on itself at b, exactly."""
     same_side = (np.sign(a - b) * np.sign(c - b) > 0).any(axis=-1)
-    folded: NDArray[np.bool_] = same_side & (orientation(a, b, c) == 0)
+    folded: Flags = same_side & (orientation(a, b, c) == 0)
     return folded

@@ -7,7 +7,7 @@ from itertools import chain, pairwise
 
 import numpy as np
 
-from starskel.predicates import Indices
+from starskel.arrays import Indices
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,9 +8,9 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from starskel.arrays import Flags, Floats, Indices
 from starskel.errors import InvalidPolygon, told
 from starskel.points import Points
-from starskel.predicates import Floats, Indices, Relation
 from starskel.rings import Rings
 
 Triangle = tuple[int, int, int]
@@ -193,7 +193,7 @@ def _is_ear(points: Points, corners: Indices, ear: Triangle, left: Indices) -> b
     return bool(outside.all())
 
 
-def _runs(corner: Relation, rings: Rings) -> dict[tuple[int, int], list[int]]:
+def _runs(corner: Flags, rings: Rings) -> dict[tuple[int, int], list[int]]:
     """Give for each edge between corners the straight vertices on it, in order, if there are any."""
     runs = {}
     for start in np.flatnonzero(corner & ~corner[rings.following]).tolist():

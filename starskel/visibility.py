@@ -14,9 +14,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import Complex, Flags, Floats, Indices
 from starskel.cells import Cells, cells_of
 from starskel.points import Points, doubtful_area
-from starskel.predicates import ROUNDING, Complex, Floats, Indices, Relation
+from starskel.predicates import ROUNDING
 from starskel.rings import blocks, ranges
 from starskel.task import UNWATCHED, Task
 from starskel.triangulation import Triangulation
@@ -37,8 +38,8 @@ class Visibility:
         The open segment lies in the open interior, clear of all vertices.
     """
 
-    sees: Relation
-    diagonal: Relation
+    sees: Flags
+    diagonal: Flags
 
 
 def visibility(ground: Triangulation, task: Task = UNWATCHED) -> Visibility:
@@ -161,7 +162,7 @@ class _Scene:
 
     def turns(
         self, viewer: Indices, first: Indices, second: Indices, doubled: Floats
-    ) -> tuple[Floats, Relation]:
+    ) -> tuple[Floats, Flags]:
         """Tell how viewers turn to look from one vertex to another: left (1), right (-1) or not (0), exactly.
 
         Tell, too, whether the line to either vertex passes the other by no more than rounding. Doubled are
@@ -241,7 +242,7 @@ def _advance(scene: _Scene, views: _Views, seen: Visibility) -> _Views:
     )
 
 
-def _of_next(flags: Relation, ends: Indices, last: bool) -> Relation:
+def _of_next(flags: Flags, ends: Indices, last: bool) -> Flags:
     """Give each step of the walks the flag of the next one, and the last ones the same."""
     following = np.empty_like(flags)
     following[:-1] = flags[1:]
@@ -251,7 +252,7 @@ def _of_next(flags: Relation, ends: Indices, last: bool) -> Relation:
 
 def _between(
     scene: _Scene, views: _Views, walk: Indices, corner: Indices, begun: Indices
-) -> tuple[Relation, Relation, Indices]:
+) -> tuple[Flags, Flags, Indices]:
     """Tell which corners lie at or left of right limits, at or right of left ones, and which graze either.
 
     Where walks have begun stand the right ends of the sides that are looked through.

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from app.model.sequence import Sequence
+from starskel.arrays import Floats
 from starskel.blending import STEERED
 from starskel.files.step import Link
 from starskel.polygon import Polygon
-from starskel.predicates import Floats
 from starskel.shapes.shape_blend import ShapeBlend
 
 if TYPE_CHECKING:  # what blends is loaded by the worker, so that the window opens sooner

@@ -6,7 +6,7 @@ from heapq import heapify, heapreplace
 import numpy as np
 import shapely
 
-from starskel.predicates import Floats, Indices
+from starskel.arrays import Floats, Indices
 
 
 def kept_vertices(ring: Floats, tolerance: float, pinned: Collection[int] = ()) -> Indices:

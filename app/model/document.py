@@ -11,12 +11,12 @@ from app.model.marks import Marks, Place, Side, other
 from app.model.pairing import Links, complete, paired, part_of
 from app.model.point import Point
 from app.model.sequence import Sequence
+from starskel.arrays import Floats
 from starskel.errors import InvalidPolygon, told
 from starskel.files.key_shape import KeyShape, Part
 from starskel.files.picture import Picture
 from starskel.files.step import Link, Step
 from starskel.polygon import Polygon
-from starskel.predicates import Floats
 
 
 def _unmoved(vertex: int) -> int:

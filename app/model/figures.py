@@ -3,7 +3,7 @@
 import numpy as np
 
 from app.model.point import Point
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 
 def rectangle(corner: Point, opposite: Point) -> Floats:

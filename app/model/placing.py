@@ -6,8 +6,8 @@ from math import cos, remainder, sin, tau
 import numpy as np
 
 from app.model.point import Point
+from starskel.arrays import Floats
 from starskel.files.picture import Picture
-from starskel.predicates import Floats
 
 
 def place_on(picture: Picture, x: float, y: float) -> Point:

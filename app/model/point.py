@@ -1,6 +1,6 @@
 """A point of a shape: x right and y up, in the user's units."""
 
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 Point = tuple[float, float]
 

@@ -9,8 +9,8 @@ from app.model.density import kept_vertices, refined
 from app.model.document import Document
 from app.model.marks import Side, other
 from app.model.transforms import box_of, scaled
+from starskel.arrays import Floats
 from starskel.errors import InvalidMarks
-from starskel.predicates import Floats
 
 
 def simplify(document: Document, side: Side, tolerance: float, among: Collection[int]) -> Document:

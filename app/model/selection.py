@@ -7,7 +7,7 @@ import numpy as np
 
 from app.model.document import Document
 from app.model.marks import Side
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 
 @dataclass(frozen=True)

@@ -3,8 +3,8 @@
 import numpy as np
 import shapely
 
+from starskel.arrays import Floats
 from starskel.polygon import crossing_edges
-from starskel.predicates import Floats
 
 LOOP = 0.3
 """The longest loop that is cut off, as a part of the whole length."""

@@ -3,8 +3,8 @@
 import numpy as np
 
 from app.model.transforms import box_of
+from starskel.arrays import Floats
 from starskel.files.decimals import decimal
-from starskel.predicates import Floats
 from starskel.shapes.shape import Shape
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.model.point import Point
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,9 @@ from app.tools.pick import distance
 from app.tools.refusal import Refusal, Segment
 from app.tools.snapping import begun_at, caught, ground_for_drawing
 from app.tools.tool import Catch, Key, Overlay, Pointer, Response, Scene, Tool
+from starskel.arrays import Floats
 from starskel.errors import InvalidPolygon, told
-from starskel.predicates import Floats, folds_back, segments_meet
+from starskel.predicates import folds_back, segments_meet
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from app.tools.pick import distance
 from app.tools.settings import Settings
 from app.tools.snapping import begun_at, caught, ground_for_drawing
 from app.tools.tool import Catch, Key, Overlay, Pointer, Response, Scene, Tool
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 
 @dataclass(frozen=True)

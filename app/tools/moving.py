@@ -16,8 +16,8 @@ from app.tools.refusal import refused_ring
 from app.tools.settings import Snapping
 from app.tools.snapping import REACH, STEP, caught, ground_for_moving
 from app.tools.tool import Catch, Commit, Key, Overlay, Pointer, Response, Scene, Tool
+from starskel.arrays import Floats
 from starskel.errors import StarskelError
-from starskel.predicates import Floats
 
 ARROWS: dict[str, Point] = {"left": (-1, 0), "right": (1, 0), "up": (0, 1), "down": (0, -1)}
 

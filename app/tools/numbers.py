@@ -9,7 +9,7 @@ from app.model.transforms import Box, box_of
 from app.tools.moving import placed
 from app.tools.select import SelectTool
 from app.tools.tool import Response, Scene
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 
 def selected_box(scene: Scene) -> Box | None:

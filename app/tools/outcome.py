@@ -9,9 +9,9 @@ from app.model.selection import Selection, everything
 from app.tools.refusal import refused_ring
 from app.tools.select import SelectTool
 from app.tools.tool import Commit, Response, Scene, Tool
+from starskel.arrays import Floats
 from starskel.errors import InvalidPolygon
 from starskel.polygon import Polygon
-from starskel.predicates import Floats
 
 
 def drawn(scene: Scene, side: Side, ring: Floats, tool: Tool, name: str) -> Response:

@@ -6,7 +6,7 @@ import shapely
 from app.model.document import Document
 from app.model.point import Point, as_point
 from app.tools.tool import Pointer
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 
 def vertex_at(document: Document, pointer: Pointer) -> int | None:

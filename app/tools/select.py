@@ -15,8 +15,8 @@ from app.tools.moving import ARROWS, Dragging, Transforming, key_turn, key_way, 
 from app.tools.pick import distance, edge_at, inside, nearest_vertex, part_under, vertex_at, vertices_in
 from app.tools.refusal import Refusal, refused_ring
 from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Scene, Tool
+from starskel.arrays import Floats
 from starskel.errors import StarskelError
-from starskel.predicates import Floats
 
 
 @dataclass(frozen=True)

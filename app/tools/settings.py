@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 
 @dataclass(frozen=True)

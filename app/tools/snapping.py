@@ -15,7 +15,7 @@ from app.tools.pick import distance, nearest_on
 from app.tools.refusal import Segment
 from app.tools.settings import Snapping
 from app.tools.tool import Catch, Pointer, Scene
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 REACH = 2 / 3
 """How near something must come to catch the pointer, as a part of how near counts as on it."""

@@ -12,7 +12,7 @@ from app.tools.outcome import drawn_parts
 from app.tools.settings import Settings
 from app.tools.snapping import begun_at
 from app.tools.tool import Catch, Overlay, Pointer, Response, Scene, Tool
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 
 @dataclass(frozen=True)

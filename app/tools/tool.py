@@ -11,8 +11,8 @@ from app.model.selection import Selection
 from app.model.transforms import Box
 from app.tools.refusal import Refusal, Segment
 from app.tools.settings import Settings
+from starskel.arrays import Floats
 from starskel.files.picture import Picture
-from starskel.predicates import Floats
 
 PICK = 9.0
 """Pixels within which a vertex or an edge counts as under the pointer."""

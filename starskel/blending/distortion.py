@@ -3,10 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from starskel.arrays import Complex, Flags, Floats, Indices
 from starskel.blending.mesh import triangle_areas
-from starskel.predicates import Complex, Floats, Indices
 
 _LEAST_AREA = 1e-9
 """Triangles under this part of the whole area count as having none."""
@@ -39,7 +38,7 @@ class Shapes:
         """Give the areas of (..., 3) triangles in source and target."""
         return triangle_areas(self.source[triangles]), triangle_areas(self.target[triangles])
 
-    def have_area(self, triangles: Indices) -> NDArray[np.bool_]:
+    def have_area(self, triangles: Indices) -> Flags:
         """Tell which triangles have an area in both, and run counter-clockwise."""
         first, second = self.areas(triangles)
         return np.asarray((first > _LEAST_AREA) & (second > _LEAST_AREA))

@@ -6,14 +6,14 @@ between the shapes.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from starskel.arrays import read_only
+from starskel.arrays import Complex, Flags, Floats, read_only
 from starskel.blending.frames import Blend, checked_times, placed, with_exact_ends
 from starskel.correspondence import Correspondence
 from starskel.outline import edge_lengths, edge_vectors, turning_angles
 from starskel.polar import PolarVectors, as_complex, as_points
-from starskel.predicates import ROUNDING, Complex, Floats
+from starskel.predicates import ROUNDING
 
 _STIFFEST = 1e-4
 """The least softness of an edge, as a part of the softest one's, and of the mean edge length."""
@@ -46,7 +46,7 @@ class EdgeAngleBlend(Blend):
         times = checked_times(ts)
         return self._closed(self.edges.lengths(times), self.edges.directions(times))
 
-    def negative_lengths(self, ts: ArrayLike) -> NDArray[np.bool_]:
+    def negative_lengths(self, ts: ArrayLike) -> Flags:
         """Tell at which of the times the outline closes only with an edge of negative length."""
         return np.asarray(self.lengths(ts).min(axis=1) < 0)
 

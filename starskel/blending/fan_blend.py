@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from starskel.arrays import read_only
+from starskel.arrays import Complex, Floats, read_only
 from starskel.blending.fans import Fans, fans_of
 from starskel.blending.frame_mesh import FrameMesh
 from starskel.blending.frames import placed, with_exact_ends
@@ -14,7 +14,6 @@ from starskel.blending.pieces import PieceBlend
 from starskel.decomposition.pieces import Decomposition
 from starskel.outline import precedes
 from starskel.polar import as_points
-from starskel.predicates import Complex, Floats
 from starskel.skeleton import skeleton_of
 from starskel.task import Task
 

@@ -1,10 +1,9 @@
 """Flipping edges of both triangulations together, so that triangles change their shape less."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from starskel.arrays import Flags, Floats, Indices
 from starskel.blending.distortion import Shapes
-from starskel.predicates import Floats, Indices
 from starskel.task import Task
 
 _WORTH = 1e-6
@@ -41,7 +40,7 @@ def flipped(triangles: Indices, shapes: Shapes, task: Task) -> Indices:
         triangles[pairs[chosen]] = after[chosen]
 
 
-def _first_of_each(pairs: Indices, chosen: NDArray[np.bool_], count: int) -> NDArray[np.bool_]:
+def _first_of_each(pairs: Indices, chosen: Flags, count: int) -> Flags:
     """Tell which of the chosen pairs are the first of both their triangles: gains may be equal."""
     rank = np.where(chosen, np.arange(len(pairs)), len(pairs))
     first = np.full(count, len(pairs))

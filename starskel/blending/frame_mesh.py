@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Protocol
 
-from starskel.predicates import Floats, Indices
+from starskel.arrays import Floats, Indices
 
 
 @dataclass(frozen=True, eq=False)

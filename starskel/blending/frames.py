@@ -5,13 +5,13 @@ from collections.abc import Iterator
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from starskel.arguments import finite
+from starskel.arrays import Flags, Floats
 from starskel.correspondence import Correspondence
 from starskel.decomposition.pieces import Decomposition
 from starskel.errors import StarskelError
-from starskel.predicates import Floats
 from starskel.skeleton import Skeleton
 from starskel.task import Progress, ShouldStop, Task
 
@@ -99,7 +99,7 @@ class Blend(ABC):
         """Give each ring, here the only one, at all of k times `ts`, a (k, n, 2) array for each."""
         return [self.frames(ts)]
 
-    def negative_lengths(self, ts: ArrayLike) -> NDArray[np.bool_]:
+    def negative_lengths(self, ts: ArrayLike) -> Flags:
         """Tell at which of the times `ts` the method had to give some edge a negative length."""
         return np.zeros(len(checked_times(ts)), dtype=np.bool_)
 

@@ -13,6 +13,7 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
+from starskel.arrays import Floats
 from starskel.blending.fans import fans_of
 from starskel.blending.frame_mesh import FrameMesh, MeshBlend
 from starskel.blending.frames import Blend
@@ -22,7 +23,6 @@ from starskel.blending.pieces import PieceBlend
 from starskel.decomposition import decompose
 from starskel.decomposition.pieces import Decomposition
 from starskel.polar import as_complex
-from starskel.predicates import Floats
 from starskel.task import UNWATCHED, Task
 
 

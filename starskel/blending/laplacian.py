@@ -15,7 +15,7 @@ import numpy as np
 from scipy.sparse import csc_array
 from scipy.sparse.linalg import SuperLU, splu
 
-from starskel.predicates import Floats, Indices
+from starskel.arrays import Floats, Indices
 
 KEPT = 32
 """So many factors a thread keeps; a blend has three at most."""

@@ -4,11 +4,10 @@ from collections import deque
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from starskel.arrays import Complex, Flags, Floats, Indices
 from starskel.blending.fans import Fans
 from starskel.polar import PolarVectors, as_complex
-from starskel.predicates import Complex, Floats, Indices
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,7 +37,7 @@ class Mesh:
     triangles: Indices
     edges: Indices
     sides: Indices
-    on_ring: NDArray[np.bool_]
+    on_ring: Flags
     wishes: PolarVectors
     source_areas: Floats
     target_areas: Floats

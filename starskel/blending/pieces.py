@@ -5,10 +5,10 @@ from abc import abstractmethod
 import numpy as np
 from numpy.typing import ArrayLike
 
+from starskel.arrays import Floats
 from starskel.blending.frame_mesh import FrameMesh
 from starskel.blending.frames import Blend, checked_times
 from starskel.decomposition.pieces import Decomposition
-from starskel.predicates import Floats
 from starskel.skeleton import Skeleton
 
 

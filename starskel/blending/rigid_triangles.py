@@ -9,10 +9,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import Complex, Floats, Indices
 from starskel.blending.laplacian import Factored, factor
 from starskel.blending.mesh import Mesh
 from starskel.polar import as_complex, as_points
-from starskel.predicates import ROUNDING, Complex, Floats, Indices
+from starskel.predicates import ROUNDING
 
 _FLATTEST = 0.01
 """Triangles lower than this part of their longest side insist no more than one of that height."""

@@ -1,15 +1,13 @@
 """The star-skeleton as published (paper, section 3): unfold the tree, then the pieces, then take means."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from starskel.arrays import read_only
+from starskel.arrays import Complex, Floats, Indices, read_only
 from starskel.blending.frame_mesh import FrameMesh
 from starskel.blending.frames import checked_times, with_exact_ends
 from starskel.blending.pieces import PieceBlend
 from starskel.decomposition.pieces import Decomposition, edges_of
 from starskel.polar import as_complex, as_points
-from starskel.predicates import Complex, Floats
 from starskel.skeleton import skeleton_of
 from starskel.skeleton.spokes import spokes_of
 
@@ -89,7 +87,7 @@ class StarSkeletonBlend(PieceBlend):
             origins[:, piece] = origins[:, skeleton.parents[piece]] + steps[:, piece]
         return origins
 
-    def _copies(self) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.intp]]:
+    def _copies(self) -> tuple[Indices, Indices, Indices]:
         """Give the spokes to vertices, ordered by vertex; where each one's begin; and how many there are."""
         rows = self._spokes.rows
         order = np.argsort(rows, kind="stable")[np.count_nonzero(rows < 0) :]

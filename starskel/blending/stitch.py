@@ -4,11 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import Complex, Floats, Indices
 from starskel.blending.distortion import Shapes
 from starskel.blending.laplacian import Factored, factor
 from starskel.blending.mesh import Mesh, triangle_areas
 from starskel.polar import as_complex, as_points
-from starskel.predicates import Complex, Floats, Indices
 
 SHORTEST = 1e-3
 """Edges shorter than this part of the size count as so long."""

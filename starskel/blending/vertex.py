@@ -2,9 +2,8 @@
 
 import numpy as np
 
-from starskel.arrays import read_only
+from starskel.arrays import Floats, read_only
 from starskel.blending.frames import Blend
-from starskel.predicates import Floats
 
 
 class VertexBlend(Blend):

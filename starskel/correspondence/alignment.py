@@ -9,10 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from starskel.arrays import Floats
 from starskel.errors import told
 from starskel.limits import ALIGNED_PAIRS, check_size
 from starskel.outline import edge_lengths, turning_angles
-from starskel.predicates import Floats
 from starskel.task import Task
 
 TURN_PRICE = 0.3

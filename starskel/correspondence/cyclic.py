@@ -8,10 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import Floats, Indices
 from starskel.correspondence.alignment import Prices, align, alignment_prices
 from starskel.correspondence.landmarks import EXACT_DIGITS, Landmarks
 from starskel.correspondence.works import SHAPES, Starts, Works, prices_from, rotations
-from starskel.predicates import Floats, Indices
 from starskel.task import Task
 
 ROTATION_PRICE = 0.15

@@ -3,11 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from starskel.arrays import Flags, Floats, Indices
 from starskel.errors import InvalidPolygon, told
 from starskel.outline import edge_lengths
-from starskel.predicates import ROUNDING, Floats, Indices
+from starskel.predicates import ROUNDING
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,7 +119,7 @@ def _along(ring: Floats, edges: Indices, fractions: Floats) -> Floats:
     return np.clip(points, np.minimum(start, end), np.maximum(start, end))
 
 
-def _touching(points: Floats) -> NDArray[np.bool_]:
+def _touching(points: Floats) -> Flags:
     same = points == np.roll(points, -1, axis=0)
     return np.asarray(same[:, 0] & same[:, 1])
 

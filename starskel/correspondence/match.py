@@ -5,8 +5,9 @@ from typing import TypeAlias
 
 import numpy as np
 import shapely
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from starskel.arrays import Floats, Indices
 from starskel.correspondence.alignment import Chain, align, chain_prices
 from starskel.correspondence.insertion import Rows, inserted, merged
 from starskel.correspondence.marks import Mark, as_marks, checked_marks
@@ -15,7 +16,6 @@ from starskel.correspondence.proposal import proposed_marks
 from starskel.errors import InvalidPolygon, told
 from starskel.outline import precedes
 from starskel.polygon import Polygon
-from starskel.predicates import Floats
 from starskel.task import ShouldStop, Task
 
 PolygonLike: TypeAlias = Polygon | shapely.Polygon | ArrayLike
@@ -86,7 +86,7 @@ def as_polygon(shape: PolygonLike, side: str) -> Polygon:
 
 def _completed(
     rings: tuple[Floats, Floats], names: tuple[str, str], marks: list[Mark], task: Task
-) -> tuple[tuple[Floats, Floats], NDArray[np.intp]]:
+) -> tuple[tuple[Floats, Floats], Indices]:
     """Give both rings with as many points, and for each of these the vertex, or -1."""
     matched = _aligned(*rings, sorted(marks) or proposed_marks(rings, UNMARKED, task), task)
     rows = merged(rings, np.array(matched, dtype=np.intp))

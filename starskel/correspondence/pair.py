@@ -4,12 +4,10 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from starskel.arguments import instance
-from starskel.arrays import ReadOnlyArrays, read_only
+from starskel.arrays import Floats, Indices, ReadOnlyArrays, read_only
 from starskel.errors import StarskelError
-from starskel.predicates import Floats, Indices
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,8 +38,8 @@ class Correspondence(ReadOnlyArrays):
     source: Floats
     target: Floats
     marks: tuple[tuple[int, int], ...]
-    source_vertices: NDArray[np.intp]
-    target_vertices: NDArray[np.intp]
+    source_vertices: Indices
+    target_vertices: Indices
     starts: tuple[int, ...] = (0,)
 
     @property

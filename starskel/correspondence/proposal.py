@@ -2,11 +2,11 @@
 
 import numpy as np
 
+from starskel.arrays import Floats
 from starskel.correspondence.choice import best_alignment
 from starskel.correspondence.landmarks import EXACT_DIGITS, Landmarks
 from starskel.correspondence.marks import Mark
 from starskel.correspondence.works import likeness
-from starskel.predicates import Floats
 from starskel.task import Task
 
 LEAST_VALUE = 0.15

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import Complex, Floats, Indices
 from starskel.correspondence.landmarks import Landmarks, points_along
 from starskel.outline import cross_themselves, turning_angles
 from starskel.polar import PolarVectors, as_points
-from starskel.predicates import Complex, Floats, Indices
 
 _TIMES = np.arange(1, 8) / 8
 _OUTLINE = 3.0

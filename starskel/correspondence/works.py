@@ -10,9 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import Complex, Floats, Indices
 from starskel.correspondence.alignment import Prices
 from starskel.correspondence.landmarks import Landmarks
-from starskel.predicates import Complex, Floats, Indices
 
 Starts = tuple[Indices, Indices]
 """Landmarks of the first and of the second outline that are matched, (k,) alternatives."""

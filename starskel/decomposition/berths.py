@@ -4,8 +4,9 @@ from collections.abc import Callable
 
 import numpy as np
 
+from starskel.arrays import Complex, Flags, Floats, Indices
 from starskel.points import Points
-from starskel.predicates import ROUNDING, Complex, Floats, Indices, Relation
+from starskel.predicates import ROUNDING
 from starskel.rings import Rings, blocks, ranges
 from starskel.task import Task
 
@@ -31,7 +32,7 @@ def reflex_vertices(points: Points, rings: Rings, left_out: Indices) -> Rings:
     return Rings(rows[reflex], np.bincount(rings.owner[reflex], minlength=len(rings.counts)))
 
 
-def are_diagonals(points: Points, rings: Rings, starts: Indices, ends: Indices, task: Task) -> Relation:
+def are_diagonals(points: Points, rings: Rings, starts: Indices, ends: Indices, task: Task) -> Flags:
     """Tell for each ring whether the segment between two of its vertices is a diagonal, clear of others."""
     rows = rings.rows
     a, b, u, v = rows[starts], rows[ends], rows, rows[rings.following]
@@ -45,11 +46,11 @@ def are_diagonals(points: Points, rings: Rings, starts: Indices, ends: Indices, 
     reflex = reflex_vertices(points, rings, np.concatenate([starts, ends]))
     at, own = points.coordinates, np.arange(len(starts))
     berth = berths(at[np.stack([a, b], axis=1)], own, at[reflex.rows], reflex, task)
-    inside: Relation = _lead_inside(points, rings, starts, b) & clear
+    inside: Flags = _lead_inside(points, rings, starts, b) & clear
     return inside & (berth > rounding(points, rings))
 
 
-def _lead_inside(points: Points, rings: Rings, starts: Indices, towards: Indices) -> Relation:
+def _lead_inside(points: Points, rings: Rings, starts: Indices, towards: Indices) -> Flags:
     """Tell whether the way from vertices towards other points begins inside their rings."""
     at, before, after = (rings.rows[v] for v in (starts, rings.preceding[starts], rings.following[starts]))
     left_of_next = points.orientation(at, after, towards) > 0

@@ -7,10 +7,10 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 
 import numpy as np
 
+from starskel.arrays import Complex, Flags, Floats
 from starskel.decomposition.kernel import star_points, star_vertices
 from starskel.decomposition.pieces import Around, Piece
 from starskel.points import Points
-from starskel.predicates import Complex, Floats, Relation
 from starskel.rings import Rings
 from starskel.task import Task
 from starskel.triangulation import Grounds, triangulate_rings
@@ -76,10 +76,10 @@ class Board:
     def have_common_star_vertices(self, pieces: Sequence[Piece], task: Task) -> list[bool]:
         """Tell for which simple rings one of their vertices sees the whole, in both polygons."""
 
-        def find(pieces: list[Piece]) -> Relation:
+        def find(pieces: list[Piece]) -> Flags:
             rings = Rings.of(pieces)
             stars = star_vertices(self.sides, rings, task.quiet)
-            found: Relation = np.bincount(rings.owner[stars], minlength=len(pieces)) > 0
+            found: Flags = np.bincount(rings.owner[stars], minlength=len(pieces)) > 0
             return found
 
         unknown = {piece for piece in pieces if piece not in self._common}
@@ -91,7 +91,7 @@ class Board:
     def have_kernels(self, pieces: Sequence[Piece], task: Task) -> list[bool]:
         """Tell which rings of vertices are simple, counter-clockwise and have kernels with an inside."""
 
-        def find(pieces: list[Piece]) -> Relation:
+        def find(pieces: list[Piece]) -> Flags:
             areas = [areas for _, areas in star_points(self.sides, Rings.of(pieces), task.quiet)]
             return np.minimum(*areas) > 0
 

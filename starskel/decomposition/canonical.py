@@ -10,9 +10,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import Floats, Indices
 from starskel.correspondence import Correspondence
 from starskel.decomposition.pieces import Piece
-from starskel.predicates import ROUNDING, Floats, Indices
+from starskel.predicates import ROUNDING
 
 MIRROR = np.array([-1.0, 1.0])
 

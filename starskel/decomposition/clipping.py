@@ -6,7 +6,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from starskel.predicates import Complex, Floats, Indices
+from starskel.arrays import Complex, Floats, Indices
 from starskel.rings import Rings, ranges
 from starskel.task import UNWATCHED, Task
 

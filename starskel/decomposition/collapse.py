@@ -10,10 +10,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import Indices
 from starskel.decomposition.board import Board
 from starskel.decomposition.clipping import kernels_of_chains
 from starskel.decomposition.pieces import Around, Piece, chain_after, from_least
-from starskel.predicates import Indices
 from starskel.rings import Rings, ranges
 from starskel.task import Task
 

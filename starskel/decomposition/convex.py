@@ -18,8 +18,8 @@ from itertools import pairwise
 
 import numpy as np
 
+from starskel.arrays import Floats, Indices
 from starskel.points import Points
-from starskel.predicates import Floats, Indices
 from starskel.task import Task
 from starskel.triangulation import Triangulation
 from starskel.visibility import Visibility

@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from starskel.arguments import choice, truth
+from starskel.arrays import Floats
 from starskel.correspondence import Correspondence, checked_pair
 from starskel.decomposition.board import Board
 from starskel.decomposition.canonical import Reading, canonical
@@ -20,7 +21,6 @@ from starskel.decomposition.transfer import transfer
 from starskel.errors import NoDecomposition, told
 from starskel.limits import DECOMPOSED_VERTICES, check_size
 from starskel.points import points_of
-from starskel.predicates import Floats
 from starskel.rings import Rings
 from starskel.task import Progress, ShouldStop, Task
 

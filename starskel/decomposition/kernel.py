@@ -4,9 +4,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from starskel.arrays import Flags, Floats, Indices
 from starskel.decomposition.clipping import boxes, cut_along
 from starskel.points import Points
-from starskel.predicates import Floats, Indices, Relation
 from starskel.rings import Rings, ranges
 from starskel.task import UNWATCHED, Task
 
@@ -17,7 +17,7 @@ _PAIRS = 1 << 16
 """Pairs of a vertex and an edge that are looked at between two questions whether to stop, or few more."""
 
 
-def star_vertices(sides: Sequence[Points], rings: Rings, task: Task = UNWATCHED) -> Relation:
+def star_vertices(sides: Sequence[Points], rings: Rings, task: Task = UNWATCHED) -> Flags:
     """Tell for each vertex of many simple rings whether it lies in the kernels of its ring, exactly.
 
     The rings are the same over all sides. A few edges leave few vertices to be held against the others.
@@ -71,14 +71,14 @@ def star_points(sides: Sequence[Points], rings: Rings, task: Task = UNWATCHED) -
     ]
 
 
-def _round_once(points: Points, rings: Rings, places: Floats) -> Relation:
+def _round_once(points: Points, rings: Rings, places: Floats) -> Flags:
     """Tell whether each ring runs round its place once, always to the left, exactly."""
     vertices, owner, after = rings.rows, rings.owner, rings.following
     placed = points.with_free(places)
     sides = placed.orientation(vertices, vertices[after], len(points.coordinates) + owner)
     above = points.coordinates[vertices, 1] > places[owner, 1]
     turns = np.bincount(owner[above[after] & ~above], minlength=len(rings.counts))
-    once: Relation = np.logical_and.reduceat(sides > 0, rings.first) & (turns == 1)
+    once: Flags = np.logical_and.reduceat(sides > 0, rings.first) & (turns == 1)
     return once
 
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from starskel.predicates import Floats, Indices, Relation
+from starskel.arrays import Flags, Floats, Indices
 from starskel.rings import Rings
 from starskel.task import Task
 from starskel.triangulation import Triangulation
@@ -27,8 +27,8 @@ class Links:
         The vertices, if these are several pairs of polygons: of different ones none see each other.
     """
 
-    sees: Relation
-    diagonal: Relation
+    sees: Flags
+    diagonal: Flags
     source: Floats
     target: Floats
     rings: Rings

@@ -29,9 +29,9 @@ from itertools import pairwise
 
 import numpy as np
 
+from starskel.arrays import Floats, Indices
 from starskel.decomposition.links import Links
 from starskel.decomposition.pieces import Piece
-from starskel.predicates import Floats, Indices
 from starskel.task import Task
 
 _ROWS = 256

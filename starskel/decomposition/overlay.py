@@ -10,11 +10,10 @@ target's; any places in the right order do, so they are spread evenly.
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from starskel.arrays import Flags, Floats, Indices
 from starskel.decomposition.board import Board
 from starskel.decomposition.pieces import Piece
-from starskel.predicates import Floats, Indices
 from starskel.triangulation import Triangulation
 
 
@@ -54,10 +53,10 @@ def _chords(ground: Triangulation) -> Indices:
     return np.unique(np.stack([a[inner], b[inner]], axis=1), axis=0)
 
 
-def _crossing(first: Indices, second: Indices) -> NDArray[np.bool_]:
+def _crossing(first: Indices, second: Indices) -> Flags:
     a, b = (first[:, None, side] for side in (0, 1))
     c, d = (second[None, :, side] for side in (0, 1))
-    crossing: NDArray[np.bool_] = ((a < c) & (c < b) & (b < d)) | ((c < a) & (a < d) & (d < b))
+    crossing: Flags = ((a < c) & (c < b) & (b < d)) | ((c < a) & (a < d) & (d < b))
     return crossing
 
 

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import Flags, Floats, Indices
 from starskel.decomposition.berths import are_diagonals, berths, reflex_vertices, room, rounding
 from starskel.decomposition.sightlines import Places, sightlines
 from starskel.points import Points
 from starskel.polygon import crossing_edges, meeting_places
-from starskel.predicates import Floats, Indices, Relation
 from starskel.rings import Rings
 from starskel.task import Task
 from starskel.triangulation import Triangulation, triangulate_rings
@@ -50,7 +50,7 @@ class _Ways:
 
     at: Floats
     ring: Indices
-    sees: Relation
+    sees: Flags
     room: Floats
     reflex: Rings
     corners: Floats
@@ -172,7 +172,7 @@ def _widths(ways: _Ways, searched: Indices, ahead: Indices, task: Task) -> tuple
     return width, before
 
 
-def _levels(sees: Relation, starts: Indices) -> Indices:
+def _levels(sees: Flags, starts: Indices) -> Indices:
     """Give the number of links from the start in its ring to each place; -1 where none lead there."""
     levels = np.full(len(sees), -1)
     front = starts

@@ -7,9 +7,8 @@ from itertools import pairwise
 import numpy as np
 
 from starskel.arguments import point
-from starskel.arrays import ReadOnlyArrays
+from starskel.arrays import Floats, ReadOnlyArrays
 from starskel.correspondence import Correspondence
-from starskel.predicates import Floats
 
 Piece = tuple[int, ...]
 """The rows of a piece's vertices, counter-clockwise."""

@@ -7,10 +7,10 @@ that is best for the worst of its pieces there. A move is made only if exact pre
 
 import numpy as np
 
+from starskel.arrays import Complex, Floats, Indices
 from starskel.decomposition.board import Board
 from starskel.decomposition.clipping import kernels_of_chains
 from starskel.decomposition.pieces import Piece, chain_after
-from starskel.predicates import Complex, Floats, Indices
 from starskel.rings import Rings
 from starskel.task import Task
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import Flags, Indices, Signs
 from starskel.points import Points
-from starskel.predicates import Indices, Relation, Signs
 from starskel.rings import ranges
 from starskel.task import Task
 from starskel.triangulation import Triangulation
@@ -24,7 +24,7 @@ class _Views:
     right: Indices
     left: Indices
 
-    def keep(self, chosen: Relation) -> "_Views":
+    def keep(self, chosen: Flags) -> "_Views":
         """Give some of the views."""
         return _Views(self.viewer[chosen], self.edge[chosen], self.right[chosen], self.left[chosen])
 
@@ -62,7 +62,7 @@ class Places:
         return self.points.orientation(self.rows[place], first, second)
 
 
-def sightlines(ground: Triangulation, places: Places, task: Task) -> Relation:
+def sightlines(ground: Triangulation, places: Places, task: Task) -> Flags:
     """Tell which places have a free view of each other, by a segment that meets the ring at its ends at most.
 
     Two vertices are not told. In a ground of several rings places in different ones do not see each other.
@@ -86,7 +86,7 @@ def sightlines(ground: Triangulation, places: Places, task: Task) -> Relation:
     return sees | sees.T
 
 
-def _from_within(ground: Triangulation, places: Places, sees: Relation) -> _Views:
+def _from_within(ground: Triangulation, places: Places, sees: Flags) -> _Views:
     """Note which places lie in one triangle; give the views out of it, through the edges that lie ahead."""
     viewer, edge = np.repeat(places.place, 3), (3 * places.triangle[:, None] + np.arange(3)).ravel()
     right, left = _ends(ground, edge)
@@ -101,7 +101,7 @@ def _from_within(ground: Triangulation, places: Places, sees: Relation) -> _View
     return views
 
 
-def _note(ground: Triangulation, places: Places, views: _Views, sees: Relation) -> None:
+def _note(ground: Triangulation, places: Places, views: _Views, sees: Flags) -> None:
     """Note which places in the triangles behind the views lie within the limits."""
     view, home = _in_triangles(places, ground.twins[views.edge] // 3)
     viewer, place = views.viewer[view], places.place[home]

@@ -7,10 +7,10 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from starskel.arrays import Flags, Floats, Indices
 from starskel.decomposition.board import TABLED_AT_ONCE, Board, handfuls
 from starskel.decomposition.overlay import crossings
 from starskel.decomposition.pieces import Piece
-from starskel.predicates import Floats, Indices, Relation
 from starskel.task import Task
 from starskel.triangulation import Triangulation
 from starskel.visibility import visibility_from
@@ -94,7 +94,7 @@ class _Places:
     """Places inside a polygon and the vertices that each of them sees by a diagonal."""
 
     at: Floats
-    sees: Relation
+    sees: Flags
 
 
 def _places(ground: Triangulation, task: Task) -> list[_Places]:
@@ -111,13 +111,13 @@ def _places(ground: Triangulation, task: Task) -> list[_Places]:
     return places
 
 
-def _distinct(samples: Floats, sees: Relation) -> _Places:
+def _distinct(samples: Floats, sees: Flags) -> _Places:
     _, kept = np.unique(np.packbits(sees, axis=1), axis=0, return_index=True)
     kept = kept[np.lexsort((kept, -sees[kept].sum(axis=1)))][:MOST_PLACES]
     return _Places(samples[kept], sees[kept])
 
 
-def _best(first: Relation, second: Relation, most: int, task: Task) -> list[tuple[int, int, int]]:
+def _best(first: Flags, second: Flags, most: int, task: Task) -> list[tuple[int, int, int]]:
     """Rank pairs of places by what they leave hidden; give the best, and how many vertices these hide."""
     task.reach(0)
     hardness = _hardness(first, second)
@@ -140,7 +140,7 @@ def _least(numbers: Indices, count: int) -> Indices:
     return np.argsort(numbers, kind="stable")
 
 
-def _hardness(first: Relation, second: Relation) -> Indices:
+def _hardness(first: Flags, second: Flags) -> Indices:
     """Give for each pair of places the hidden vertices beyond those that are easy, then the pockets."""
     n = first.shape[1]
     seen, earlier, before = (
@@ -152,18 +152,18 @@ def _hardness(first: Relation, second: Relation) -> Indices:
     return hardness
 
 
-def _leave_less(seen: Relation) -> Relation:
+def _leave_less(seen: Flags) -> Flags:
     """Tell from the vertices that places see whether all their pockets are smaller than the polygon.
 
     A pocket, its run of hidden vertices and three more, is not where all vertices seen are among three
     neighbours.
     """
     run = np.add.reduce([np.roll(seen, step, axis=1) for step in range(EASY + 1)], dtype=np.int8)
-    less: Relation = run.max(axis=1, initial=0) < seen.sum(axis=1)
+    less: Flags = run.max(axis=1, initial=0) < seen.sum(axis=1)
     return less
 
 
-def _words(flags: Relation) -> NDArray[np.uint64]:
+def _words(flags: Flags) -> NDArray[np.uint64]:
     """Pack rows of flags into words of 64."""
     packed = np.zeros((len(flags), -(-flags.shape[1] // 64) * 8), dtype=np.uint8)
     bits = np.packbits(flags, axis=1)

@@ -17,12 +17,12 @@ from itertools import chain
 
 import numpy as np
 
+from starskel.arrays import Flags, Floats, Indices
 from starskel.decomposition.board import Board, handfuls
 from starskel.decomposition.convex import Cut, Price, convex_cuts
 from starskel.decomposition.ladder import by_fan, climb
 from starskel.decomposition.paths import MANY, bends_between
 from starskel.decomposition.pieces import Piece
-from starskel.predicates import Floats, Indices, Relation
 from starskel.rings import Rings
 from starskel.task import Task
 from starskel.triangulation import Triangulation
@@ -57,7 +57,7 @@ def _fewer_cuts(board: Board, whole: Piece, task: Task) -> tuple[list[Cut], int]
     return [(whole[a], whole[b]) for a, b in cuts[side]], side
 
 
-def _price(ground: Triangulation, free: Relation) -> Price:
+def _price(ground: Triangulation, free: Flags) -> Price:
     """Prefer diagonals that are diagonals of the other polygon as well, then short ones."""
     n = len(ground.rings.rows)
     longest = np.hypot(*np.ptp(ground.vertices, axis=0))

@@ -8,13 +8,13 @@ from itertools import accumulate
 
 import numpy as np
 
+from starskel.arrays import Floats
 from starskel.blending.frames import Blend
 from starskel.easing import EVEN, Easing
 from starskel.errors import InvalidFile, StarskelError, told
 from starskel.export.settings import Settings
 from starskel.images.morph import ImageMorph
 from starskel.images.placed import SOLID, Pixels, PlacedImage
-from starskel.predicates import Floats
 from starskel.quality import Report, ShapeReport
 from starskel.shapes.shape_blend import ShapeBlend
 from starskel.sheet import style

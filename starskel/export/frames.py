@@ -9,9 +9,9 @@ from typing import Any
 
 import msgspec
 
+from starskel.arrays import Floats
 from starskel.export.film import Film, Track
 from starskel.files.documents import document_text
-from starskel.predicates import Floats
 from starskel.shapes.shape_blend import ShapeBlend
 from starskel.sheet.keyframe import marked_rows
 from starskel.task import Task

@@ -9,9 +9,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from starskel.arrays import Floats
 from starskel.errors import StarskelError
 from starskel.export.film import Film, Shot
-from starskel.predicates import Floats
 from starskel.sheet.drawing import Area, Disc, Drawing, Group, Item, Label, Line
 from starskel.task import Task
 

@@ -10,9 +10,9 @@ from typing import Any
 import msgspec
 import numpy as np
 
+from starskel.arrays import Floats
 from starskel.export.film import Film
 from starskel.export.keys import Stretch, stretches
-from starskel.predicates import Floats
 from starskel.sheet.drawing import Area, Colour, Disc, Group, Item, Line, Stroke
 from starskel.task import Task
 

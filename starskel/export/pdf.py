@@ -11,9 +11,9 @@ from PIL import Image as Raster
 from reportlab.lib.utils import ImageReader
 from reportlab.pdfgen.canvas import Canvas
 
+from starskel.arrays import Floats
 from starskel.export.film import Film
 from starskel.files.decimals import decimal
-from starskel.predicates import Floats
 from starskel.sheet.drawing import Area, Disc, Drawing, Group, Image, Item, Label, Line, Stroke
 from starskel.task import Task
 

@@ -8,9 +8,9 @@ import math
 import unicodedata
 from collections.abc import Iterator, Sequence
 
+from starskel.arrays import Floats
 from starskel.export.film import Film
 from starskel.files.decimals import decimal
-from starskel.predicates import Floats
 from starskel.sheet.drawing import Area, Disc, Drawing, Group, Item, Label, Line, Stroke
 from starskel.task import Task
 

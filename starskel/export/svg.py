@@ -5,10 +5,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from xml.sax.saxutils import escape, quoteattr
 
+from starskel.arrays import Floats
 from starskel.export.film import Film
 from starskel.files.decimals import decimal
 from starskel.files.raster import png_of
-from starskel.predicates import Floats
 from starskel.sheet.drawing import Area, Disc, Drawing, Group, Image, Item, Label, Line, Stroke
 from starskel.task import Task
 

@@ -5,8 +5,8 @@ from typing import Annotated
 
 import msgspec
 
+from starskel.arrays import Floats
 from starskel.images.placed import box_placement
-from starskel.predicates import Floats
 
 Length = Annotated[float, msgspec.Meta(gt=0)]
 Share = Annotated[float, msgspec.Meta(ge=0, le=1)]

@@ -4,11 +4,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from starskel.arrays import Floats
 from starskel.correspondence.marks import Mark, checked_marks
 from starskel.errors import InvalidFile, InvalidMarks, InvalidPolygon, told
 from starskel.limits import DOCUMENT_RINGS, EDGES, RING_VERTICES, Tally, check_limit
 from starskel.polygon import Polygon, overlapping_edges
-from starskel.predicates import Floats
 
 Row = tuple[float, float]
 

@@ -6,10 +6,10 @@ from typing import Protocol, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from starskel.arrays import Indices
 from starskel.images.coverage import Coverage
 from starskel.images.lookup import Layer
 from starskel.images.spans import Spans
-from starskel.predicates import Indices
 
 Colours = NDArray[np.float32]
 """(p, 4) premultiplied colours and alpha, from 0 to 255."""

@@ -5,12 +5,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from starskel.arrays import Floats, Indices
 from starskel.blending.frames import Blend
 from starskel.blending.inner_mesh import InnerMesh, mesh_blend
 from starskel.blending.pieces import PieceBlend
 from starskel.correspondence import Correspondence
 from starskel.decomposition.pieces import Decomposition
-from starskel.predicates import Floats, Indices
 from starskel.shapes.body import Body
 from starskel.shapes.correspondence import PartPair
 from starskel.shapes.regions import decompose_region

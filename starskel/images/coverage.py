@@ -9,9 +9,8 @@ pixels at edges are looked at; what lies between two of them in a row is all ali
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from starskel.predicates import Floats, Indices
+from starskel.arrays import Flags, Floats, Indices
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +41,7 @@ class Coverage:
     changes: Indices
     windings: Floats
 
-    def inside(self) -> NDArray[np.bool_]:
+    def inside(self) -> Flags:
         """Tell which pixels, (h w,), lie inside wholly or in part."""
         width, height = self.size
         ends = np.append(self.changes[1:], height * (width + 1))

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import Complex, Floats, Indices
 from starskel.images.pyramid import Pyramid
 from starskel.polar import as_complex
-from starskel.predicates import Complex, Floats, Indices
 
 MOST_PROBES = 8
 """So many places are looked up at most along the longer axis of what a pixel covers in a picture."""

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import Floats, Indices
 from starskel.images.carriers import Carrier
 from starskel.images.coverage import Coverage, coverage_of
 from starskel.images.lookup import Layer, footprints
@@ -12,7 +13,6 @@ from starskel.images.placed import PlacedImage
 from starskel.images.pyramid import Pyramid, pyramid_of
 from starskel.images.spans import Spans, spans_of
 from starskel.polar import as_complex
-from starskel.predicates import Floats, Indices
 
 
 @dataclass(frozen=True)

@@ -4,10 +4,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from starskel.arguments import finite
+from starskel.arrays import Floats
 from starskel.errors import StarskelError
 from starskel.limits import PICTURE_SIDE
 from starskel.polar import as_complex
-from starskel.predicates import Floats
 
 Pixels = NDArray[np.uint8]
 """(h, w, 4) rows from top to bottom: red, green, blue, and alpha, which is straight."""

@@ -10,10 +10,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from starskel.arrays import Floats, Indices
 from starskel.images.canvas import Colours, unmultiplied
 from starskel.images.lookup import Layer, batches
 from starskel.images.spans import Spans
-from starskel.predicates import Floats, Indices
 
 
 class Precise:

@@ -11,11 +11,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from starskel.arrays import Indices
 from starskel.images.canvas import unmultiplied
 from starskel.images.lookup import Layer, batches
 from starskel.images.pyramid import Packed, packed
 from starskel.images.spans import Spans
-from starskel.predicates import Indices
 
 _HALF, _EIGHT = np.uint16(128), np.uint16(8)
 

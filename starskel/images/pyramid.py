@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import binary_erosion
 
+from starskel.arrays import Flags, Floats, Indices
 from starskel.images.placed import PlacedImage
 from starskel.images.spans import spans_of
-from starskel.predicates import Floats, Indices
 
 Texels = NDArray[np.float32]
 
@@ -117,7 +117,7 @@ def _cropped(image: PlacedImage, places: Floats) -> tuple[Floats, Texels]:
     return low, texels
 
 
-def _inside(places: Floats, triangles: Indices, shape: tuple[int, ...]) -> NDArray[np.bool_]:
+def _inside(places: Floats, triangles: Indices, shape: tuple[int, ...]) -> Flags:
     """Tell of which texels the middle lies in the mesh."""
     height, width = shape[:2]
     spans = spans_of(places, triangles, np.empty((len(places), 0)), (width, height))
@@ -130,7 +130,7 @@ Level = tuple[Texels, NDArray[np.float32]]
 """Colours, and how much of each texel lies inside."""
 
 
-def _shrunk(texels: Texels, inside: NDArray[np.bool_]) -> list[Level]:
+def _shrunk(texels: Texels, inside: Flags) -> list[Level]:
     """Take means until one texel is left."""
     levels = [(texels, inside.astype(np.float32)[:, :, None])]
     while max(levels[-1][0].shape[:2]) > 1:

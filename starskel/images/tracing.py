@@ -7,10 +7,10 @@ import numpy as np
 import shapely
 
 from starskel.arguments import choice, finite
+from starskel.arrays import Floats, Indices
 from starskel.errors import StarskelError, told
 from starskel.images.placed import Pixels, PlacedImage
 from starskel.limits import TRACED_PLACES, TRACED_SIDE, TRACED_VERTICES
-from starskel.predicates import Floats, Indices
 from starskel.shapes.shape import Shape
 
 By = Literal["alpha", "dark", "light"]

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from starskel.arrays import Floats
 from starskel.outline import edge_lengths, turning_angles
-from starskel.predicates import Floats
 
 
 def linear(start: Floats, end: Floats, times: Floats) -> Floats:

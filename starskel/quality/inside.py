@@ -5,11 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import Complex, Floats, Indices
 from starskel.blending.distortion import Shapes
 from starskel.blending.mesh import triangle_areas
 from starskel.decomposition.pieces import Decomposition, Piece, edges_of
 from starskel.polar import as_complex
-from starskel.predicates import Complex, Floats, Indices
 
 
 @dataclass(frozen=True)

@@ -12,10 +12,10 @@ the sheet only loses or gains that triangle. Few vertices are left round the cro
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
+from starskel.arrays import Flags, Floats, Indices, Signs
 from starskel.outline import turning_angles
-from starskel.predicates import Floats, Indices, folds_back, orientation, segments_meet
+from starskel.predicates import folds_back, orientation, segments_meet
 from starskel.task import UNWATCHED, Task
 
 
@@ -70,7 +70,7 @@ def _empty_corners(ring: Floats, first: int) -> Indices:
     return np.asarray(corner[~blocked | (turn == 0)])
 
 
-def _enters(turn: NDArray[np.int8], a: Floats, b: Floats, c: Floats, other: Floats) -> NDArray[np.bool_]:
+def _enters(turn: Signs, a: Floats, b: Floats, c: Floats, other: Floats) -> Flags:
     """Tell whether the way from a to the other point begins in the triangle that turns so, or on its side."""
     return np.asarray((turn * orientation(a, b, other) >= 0) & (turn * orientation(a, c, other) <= 0))
 

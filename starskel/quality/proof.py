@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from starskel.arrays import Floats
 from starskel.blending.frames import Blend
 from starskel.certificate import first_unsafe, safe
 from starskel.polygon import crossing_edges, meeting_places
-from starskel.predicates import Floats
 from starskel.quality.layers import in_layers
 from starskel.quality.report import Crossing
 from starskel.task import Task

@@ -6,9 +6,7 @@ from typing import ClassVar, Literal
 
 import numpy as np
 
-from starskel.arrays import ReadOnlyArrays
-from starskel.outline import Flags
-from starskel.predicates import Floats
+from starskel.arrays import Flags, Floats, ReadOnlyArrays
 from starskel.quality.inside import Distortion
 
 

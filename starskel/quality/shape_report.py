@@ -6,9 +6,8 @@ from typing import ClassVar, Literal
 import numpy as np
 import shapely
 
-from starskel.arrays import ReadOnlyArrays
-from starskel.outline import Flags, cross_themselves, edge_lengths, signed_areas
-from starskel.predicates import Floats
+from starskel.arrays import Flags, Floats, ReadOnlyArrays
+from starskel.outline import cross_themselves, edge_lengths, signed_areas
 from starskel.quality.drift import length_deviations, linear
 from starskel.shapes.certified import CertifiedShapeBlend
 from starskel.shapes.shape_blend import ShapeBlend

@@ -5,7 +5,7 @@ from math import ceil, sqrt
 
 import numpy as np
 
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 _MOST = 1000
 """Chords that a single curve gets at most."""

@@ -6,9 +6,9 @@ HarfBuzz chooses and places the letters, with kerning and ligatures, and tells t
 import numpy as np
 import uharfbuzz
 
+from starskel.arrays import Floats
 from starskel.errors import InvalidFile, told
 from starskel.limits import Tally
-from starskel.predicates import Floats
 from starskel.reading.curves import flattened
 from starskel.reading.found import Found, Reading, uniquely_named
 from starskel.reading.mending import shape_of_rings

@@ -7,12 +7,13 @@ from typing import Literal
 import numpy as np
 import shapely
 
+from starskel.arrays import Floats, Indices
 from starskel.errors import InvalidFile, InvalidPolygon, told
 from starskel.files.shapes import check_edges
 from starskel.limits import CROSSINGS, DRAWING_RINGS, OVERLAPS, Tally
 from starskel.outline import signed_areas
 from starskel.polygon import Polygon, edge_blocks
-from starskel.predicates import LARGEST, Floats, Indices
+from starskel.predicates import LARGEST
 from starskel.shapes.shape import Shape, rings_meet
 
 Rule = Literal["nonzero", "evenodd"]

@@ -15,9 +15,9 @@ import numpy as np
 import shapely
 import svgelements
 
+from starskel.arrays import Floats
 from starskel.errors import InvalidFile, told
 from starskel.limits import Tally
-from starskel.predicates import Floats
 from starskel.reading.found import Found, Reading, uniquely_named
 from starskel.reading.mending import Rule, check_crossings, shape_of_geometry, shape_of_rings
 from starskel.reading.svg_limits import check_content, check_tree, tidy_styles, without_idle_attributes

@@ -6,9 +6,10 @@ from math import acos, atan2, ceil, cos, pi, sin
 import numpy as np
 import svgelements
 
+from starskel.arrays import Floats
 from starskel.errors import told
 from starskel.limits import RING_VERTICES, check_limit
-from starskel.predicates import LARGEST, Floats
+from starskel.predicates import LARGEST
 from starskel.reading.curves import flattened
 
 _SAMPLES = np.linspace(0, 1, 9)

@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from starskel.arrays import Complex, Floats
 from starskel.blending import STEERED
 from starskel.blending.blend import blend_pair
 from starskel.blending.frames import Blend, row_masses
@@ -11,7 +12,6 @@ from starskel.blending.star_skeleton import StarSkeletonBlend
 from starskel.blending.vertex import VertexBlend
 from starskel.correspondence import Correspondence
 from starskel.polar import as_complex, as_points
-from starskel.predicates import Complex, Floats
 from starskel.shapes.correspondence import PartPair
 from starskel.shapes.regions import decompose_region
 from starskel.task import Task

@@ -12,9 +12,9 @@ from itertools import islice, pairwise
 
 import numpy as np
 
+from starskel.arrays import Floats, Indices
 from starskel.correspondence import Correspondence
 from starskel.errors import StarskelError, told
-from starskel.predicates import Floats, Indices
 from starskel.shapes.chains import Bridges, Search, chains
 from starskel.shapes.region import Region
 from starskel.shapes.routes import Bridge, bends_of

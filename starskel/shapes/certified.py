@@ -11,12 +11,11 @@ from typing import NoReturn
 
 import numpy as np
 
-from starskel.arrays import read_only
+from starskel.arrays import Floats, read_only
 from starskel.blending.certified import Way
 from starskel.blending.certified.gaps import narrowed
 from starskel.blending.certified.keys import Chain, Guide, Key, between, chains_between
 from starskel.errors import StarskelError, told
-from starskel.predicates import Floats
 from starskel.shapes.body import Body
 from starskel.shapes.correspondence import ShapeCorrespondence
 from starskel.shapes.joint_morph import MARGINS, JointMorphing

@@ -6,8 +6,8 @@ from itertools import combinations
 
 import numpy as np
 
+from starskel.arrays import Floats, Indices
 from starskel.correspondence import Correspondence
-from starskel.predicates import Floats, Indices
 from starskel.shapes.region import Region, meeting
 from starskel.shapes.routes import Bridge
 from starskel.task import Task

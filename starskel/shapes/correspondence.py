@@ -6,10 +6,9 @@ from functools import cached_property
 
 import numpy as np
 
-from starskel.arrays import ReadOnlyArrays
+from starskel.arrays import Floats, ReadOnlyArrays
 from starskel.correspondence import Correspondence
 from starskel.correspondence.marks import Mark
-from starskel.predicates import Floats
 from starskel.shapes.pairing import Link
 from starskel.shapes.shape import Shape
 

@@ -12,10 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from starskel.arrays import Floats, Indices
 from starskel.errors import InvalidMarks, InvalidPolygon, told
 from starskel.outline import signed_areas
 from starskel.polygon import Polygon
-from starskel.predicates import Floats, Indices
 
 TRIED = 49
 """So many parallel lines are tried."""

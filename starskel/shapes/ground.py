@@ -12,7 +12,7 @@ from itertools import count, pairwise
 import numpy as np
 import shapely
 
-from starskel.predicates import Complex
+from starskel.arrays import Complex
 from starskel.shapes.region import Region
 
 Place = frozenset[int]

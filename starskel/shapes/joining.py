@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from starskel.arrays import Complex
 from starskel.blending.frames import row_masses
 from starskel.correspondence import Correspondence
 from starskel.errors import StarskelError
 from starskel.polar import as_complex
-from starskel.predicates import Complex
 from starskel.shapes.body import Manner, prepared
 from starskel.shapes.certified import CertifiedShapeBlend
 from starskel.shapes.correspondence import PartPair, ShapeCorrespondence

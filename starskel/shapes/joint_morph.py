@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import Complex, Floats, Indices
 from starskel.blending.certified.convex_combination import convex_combination_of
 from starskel.blending.certified.keys import Chain, Key, chains_between
 from starskel.blending.certified.smoothing import retimed
@@ -20,7 +21,6 @@ from starskel.correspondence import Correspondence
 from starskel.decomposition import decompose_quickly
 from starskel.errors import Cancelled, StarskelError
 from starskel.polar import as_complex, as_points
-from starskel.predicates import Complex, Floats, Indices
 from starskel.shapes.bridges import chain_of, halves
 from starskel.shapes.joint_rings import JointRings
 from starskel.task import Task

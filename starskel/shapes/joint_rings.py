@@ -11,9 +11,9 @@ from itertools import combinations
 import numpy as np
 import shapely
 
+from starskel.arrays import Flags, Floats, Indices
 from starskel.certificate import safe_rings
-from starskel.outline import Flags, cross_themselves
-from starskel.predicates import Floats, Indices
+from starskel.outline import cross_themselves
 from starskel.shapes.correspondence import PartPair
 
 

@@ -5,11 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from starskel.arrays import Floats
 from starskel.correspondence import Correspondence, match, suggest_marks
 from starskel.correspondence.marks import Mark
 from starskel.polar import as_complex, as_points
 from starskel.polygon import Polygon
-from starskel.predicates import Floats
 from starskel.shapes.correspondence import PartPair, ShapeCorrespondence, region_pair
 from starskel.shapes.given import Given
 from starskel.shapes.likeness import Similarity, similarity_of

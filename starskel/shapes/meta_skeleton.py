@@ -13,9 +13,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from starskel.arrays import ReadOnlyArrays
+from starskel.arrays import Complex, Floats, ReadOnlyArrays
 from starskel.polar import PolarVectors
-from starskel.predicates import Complex, Floats, segments_meet
+from starskel.predicates import segments_meet
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,8 +8,8 @@ import shapely
 from numpy.typing import NDArray
 
 from starskel.arguments import items, refusal
+from starskel.arrays import Floats
 from starskel.errors import InvalidMarks, told
-from starskel.predicates import Floats
 from starskel.shapes.shape import Shape, ShapeLike
 
 Link = tuple[int | None, int | None]

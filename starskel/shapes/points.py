@@ -3,10 +3,10 @@
 import numpy as np
 import shapely
 
+from starskel.arrays import Floats
 from starskel.correspondence import Correspondence
 from starskel.errors import InvalidMarks, told
 from starskel.polar import as_complex
-from starskel.predicates import Floats
 from starskel.shapes.given import Place
 from starskel.shapes.likeness import Similarity
 

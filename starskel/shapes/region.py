@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 import shapely
 
-from starskel.outline import Flags
-from starskel.predicates import Floats, Indices, segments_meet
+from starskel.arrays import Flags, Floats, Indices
+from starskel.predicates import segments_meet
 
 APART = 1e-9
 """Segments stay so far from vertices and edges that they are no end of, as a part of the size: what passes

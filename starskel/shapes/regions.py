@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from starskel.arrays import Floats, Indices
 from starskel.correspondence import Correspondence
 from starskel.decomposition import decompose
 from starskel.decomposition.pieces import Decomposition
-from starskel.predicates import Floats, Indices
 from starskel.shapes.bridges import chain_of, halves
 from starskel.task import Task
 

@@ -9,9 +9,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from starskel.outline import Flags
+from starskel.arrays import Complex, Flags, Floats
 from starskel.polar import as_points
-from starskel.predicates import Complex, Floats
 from starskel.shapes.ground import Ground
 from starskel.shapes.region import Region, meeting
 from starskel.task import Task

@@ -8,10 +8,11 @@ import shapely
 from numpy.typing import NDArray
 
 from starskel.arguments import items, whole_number
+from starskel.arrays import Floats
 from starskel.correspondence import PolygonLike
 from starskel.errors import InvalidPolygon, told
 from starskel.polygon import Polygon, edge_blocks
-from starskel.predicates import Floats, segments_meet
+from starskel.predicates import segments_meet
 
 ShapeLike: TypeAlias = Union["Shape", shapely.Geometry, Polygon, Iterable[PolygonLike]]
 Part: TypeAlias = tuple[PolygonLike, Sequence[PolygonLike]]

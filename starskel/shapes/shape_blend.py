@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import shapely
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from starskel.arrays import Flags, Floats
 from starskel.blending.frames import checked_times, with_exact_ends
 from starskel.polar import as_points
-from starskel.predicates import Floats
 from starskel.shapes.correspondence import ShapeCorrespondence
 from starskel.shapes.meta_skeleton import MetaSkeleton, Tree, meta_skeleton_of
 from starskel.task import Progress, ShouldStop, Task
@@ -138,7 +138,7 @@ class ShapeBlend:
         own = [body.part.rings(part) for body, part in zip(self.bodies, rows, strict=True)]
         return [own[body][ring] for body, ring in (self._places[link] for link in self.pair.pairing)]
 
-    def negative_lengths(self, ts: ArrayLike) -> NDArray[np.bool_]:
+    def negative_lengths(self, ts: ArrayLike) -> Flags:
         """Tell at which of the times `ts` the method had to give some edge a negative length."""
         return np.asarray(np.any([body.blend.negative_lengths(ts) for body in self.bodies], axis=0))
 

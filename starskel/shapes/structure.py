@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from starskel.arrays import Floats
 from starskel.blending.frames import Blend
 from starskel.blending.pieces import PieceBlend
-from starskel.predicates import Floats
 from starskel.shapes.shape_blend import ShapeBlend
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 from starskel.sheet import style
 from starskel.sheet.drawing import Area, Disc, Image, Item, Label, Line, Painter, Place, Stroke
 from starskel.sheet.keyframe import Keyframe, PlacedSkeleton

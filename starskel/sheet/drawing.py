@@ -9,8 +9,8 @@ from typing import Literal
 
 import numpy as np
 
+from starskel.arrays import Floats
 from starskel.images.placed import Pixels
-from starskel.predicates import Floats
 
 Colour = str
 """Red, green and blue as "#rrggbb"."""

@@ -5,14 +5,13 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from starskel.arrays import Floats, Indices
 from starskel.blending.frames import Blend
 from starskel.blending.pieces import PieceBlend
 from starskel.correspondence import Correspondence
 from starskel.errors import StarskelError, told
 from starskel.polygon import crossing_edges, meeting_places
-from starskel.predicates import Floats
 from starskel.sheet.drawing import Painter
 from starskel.sheet.style import USUAL_PART, PartLook
 from starskel.skeleton import Skeleton
@@ -92,7 +91,7 @@ class Keyframe:
         return not len(self._crossing_edges)
 
     @cached_property
-    def _crossing_edges(self) -> NDArray[np.intp]:
+    def _crossing_edges(self) -> Indices:
         return crossing_edges(self.ring)
 
     @property

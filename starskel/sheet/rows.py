@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 from starskel.sheet import style
 from starskel.sheet.cell import Placement, cell, cross_sign
 from starskel.sheet.drawing import Area, Drawing, Group, Item, Label, Place

@@ -7,10 +7,10 @@ from functools import cached_property
 import numpy as np
 import shapely
 
+from starskel.arrays import Floats
 from starskel.outline import cross_themselves
 from starskel.polar import as_points
 from starskel.polygon import crossing_edges, meeting_places
-from starskel.predicates import Floats
 from starskel.shapes.correspondence import ShapeCorrespondence
 from starskel.shapes.shape_blend import ShapeBlend
 from starskel.shapes.structure import Structure, structures_at

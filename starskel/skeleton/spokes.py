@@ -17,8 +17,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import Complex, Floats, Indices
 from starskel.polar import PolarVectors, as_complex
-from starskel.predicates import ROUNDING, Complex, Floats, Indices
+from starskel.predicates import ROUNDING
 from starskel.skeleton import Skeleton
 
 

@@ -3,12 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from starskel.arrays import Floats, Indices
 from starskel.decomposition.pieces import Decomposition, edges_of
 from starskel.errors import StarskelError
 from starskel.outline import signed_areas
-from starskel.predicates import Floats
 
 Edge = tuple[int, int]
 
@@ -56,7 +55,7 @@ class Skeleton:
         return {piece: len(self.order) + k for k, piece in enumerate(self.order[1:])}
 
     @property
-    def arcs(self) -> NDArray[np.intp]:
+    def arcs(self) -> Indices:
         """The (2 k - 2, 2) indices of the points that are linked, outwards from the root."""
         pairs = [
             arc

@@ -13,11 +13,11 @@ from pathlib import Path
 import numpy as np
 
 import starskel
+from starskel.arrays import Floats
 from starskel.blending.certified import CertifiedBlend
 from starskel.correspondence import Correspondence
 from starskel.files.pairs import read_pairs
 from starskel.outline import cross_themselves
-from starskel.predicates import Floats
 from tests.families import related, two_opt
 
 BATCH = 200_000

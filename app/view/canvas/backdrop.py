@@ -10,8 +10,8 @@ from PySide6.QtGui import QPainter, QPainterPath, QTransform
 from app.view.painting.camera import Camera
 from app.view.painting.drawing import polygon_of
 from app.view.painting.pictures import image_of
+from starskel.arrays import Floats
 from starskel.files.picture import Picture
-from starskel.predicates import Floats
 
 FAINT = 0.3
 """How much of what is cut off is seen while a cropped picture is placed."""

@@ -14,8 +14,8 @@ from app.view.painting.camera import Camera
 from app.view.painting.drawing import faded, pen, point_of, polygon_of
 from app.view.painting.theme import Theme
 from app.view.wording import words
+from starskel.arrays import Floats
 from starskel.files.picture import Picture
-from starskel.predicates import Floats
 
 
 class GesturePainter:

@@ -7,8 +7,8 @@ import shapely
 from PySide6.QtGui import QFont, QPainterPath
 
 from app.tools.settings import Lettering
+from starskel.arrays import Floats
 from starskel.outline import signed_areas
-from starskel.predicates import Floats
 from starskel.reading.curves import flattened
 
 SIZE = 1000.0

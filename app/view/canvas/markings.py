@@ -10,7 +10,7 @@ from app.view.painting.drawing import pen
 from app.view.painting.frame_layers import paint_way
 from app.view.painting.pins import Pin, outward, paint_pins
 from app.view.wording import words
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 DIAMOND = (QPointF(0, -8), QPointF(8, 0), QPointF(0, 8), QPointF(-8, 0))
 

@@ -16,7 +16,7 @@ from app.view.painting.pins import cross_at
 from app.view.painting.theme import Theme
 from app.view.wording import words
 from app.view.wording.counts import COUNTS
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 translate = QCoreApplication.translate
 

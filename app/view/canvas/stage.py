@@ -14,7 +14,7 @@ from app.tools.tool import Overlay
 from app.view.painting.camera import Camera
 from app.view.painting.drawing import point_of
 from app.view.painting.theme import Theme, theme_of
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 CROWDED = 7.0
 """Vertices nearer to each other than so many pixels, on average, are not shown one by one."""

@@ -10,7 +10,7 @@ from PySide6.QtCore import QLineF, QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QPaintDevice, QPainter, QPen, QPixmap, QPolygonF
 from PySide6.QtWidgets import QWidget
 
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 _Memory: Any = shiboken6.VoidPtr  # its type information knows only the form without a size
 

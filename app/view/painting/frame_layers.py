@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QPainter
 
 from app.view.painting.drawing import faded, pen, polygon_of
 from app.view.painting.theme import Theme
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 GHOSTS = 9
 """So many frames of a blend are shown at once by onion skin, both ends included."""

@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath
 
 from app.view.painting.drawing import polygon_of
 from app.view.painting.theme import Theme, mixed
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 from starskel.sheet.style import PartLook
 
 

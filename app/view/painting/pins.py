@@ -9,7 +9,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from app.view.painting.drawing import pen, point_of
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 STANDOFFS = (22.0, 40.0, 58.0)
 """Pixels from the vertex to the middle of its label; the farther ones are for labels that find no room."""

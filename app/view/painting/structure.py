@@ -13,7 +13,7 @@ from app.view.painting.camera import Camera
 from app.view.painting.display import Layers
 from app.view.painting.drawing import faded, lines_of, pen, point_of, polygon_of
 from app.view.painting.theme import Theme
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 from starskel.shapes.shape_blend import ShapeBlend
 from starskel.shapes.structure import Structure, structures_at
 from starskel.sheet.shape_keyframe import tree_at

@@ -16,7 +16,7 @@ from app.view.painting.structure import StructurePainter, shown_structures
 from app.view.painting.theme import Theme
 from app.view.wording import verdicts
 from starskel import Correspondence
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 from starskel.sheet.keyframe import Keyframe
 from starskel.sheet.style import USUAL_PART, PartLook
 

@@ -28,7 +28,7 @@ from app.view.painting.theme import theme_of
 from app.view.panels.carried import CarriedPictures
 from app.view.panels.frame_painter import FramePainter
 from app.view.timeline.player import Player
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 NOTCH = 1.25
 """Zoom factor of one notch of the wheel."""

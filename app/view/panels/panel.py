@@ -14,7 +14,7 @@ from app.view.timeline.player import Player
 from app.view.wording import verdicts, words
 from app.view.wording.counts import COUNTS
 from app.view.wording.fitting_label import FittingLabel
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 from starskel.sheet.words import kind_of
 
 HEADING = 20

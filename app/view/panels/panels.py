@@ -9,7 +9,7 @@ from app.session import Session
 from app.view.painting.display import Display
 from app.view.panels.panel import Panel
 from app.view.timeline.player import Player
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 HEADING = 43
 """Height of what stands over a panel's frame, in pixels."""

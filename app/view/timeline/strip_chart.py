@@ -14,8 +14,8 @@ from app.view.timeline.chart_layout import LANE, ChartLayout
 from app.view.timeline.player import Player
 from app.view.wording import words
 from app.view.wording.verdicts import AnyReport, Span, crossing_spans
+from starskel.arrays import Floats
 from starskel.blending import METHODS
-from starskel.predicates import Floats
 from starskel.sheet.words import percent
 
 LEAST_RANGE = 0.05

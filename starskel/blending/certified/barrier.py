@@ -11,9 +11,9 @@ from typing import NamedTuple
 import numpy as np
 from scipy.sparse import csr_array
 
+from starskel.arrays import Complex, Floats, Indices
 from starskel.blending.certified.room import Room, contacts
 from starskel.certificate import near_pairs
-from starskel.predicates import Complex, Floats, Indices
 
 REACH = 0.05
 """The largest distance at which pairs push each other apart, as a part of the size."""

@@ -4,7 +4,7 @@ from functools import cached_property
 
 import numpy as np
 
-from starskel.arrays import read_only
+from starskel.arrays import Floats, read_only
 from starskel.blending.certified.keys import Key, between
 from starskel.blending.certified.path import Way, path
 from starskel.blending.frames import Blend
@@ -12,7 +12,6 @@ from starskel.blending.stitched import StitchedBlend
 from starskel.clearance import clearance
 from starskel.decomposition.pieces import Decomposition
 from starskel.outline import edge_lengths, precedes, signed_areas
-from starskel.predicates import Floats
 from starskel.task import Task
 
 _EQUAL = 1e-9

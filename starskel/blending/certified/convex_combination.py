@@ -12,10 +12,10 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
+from starskel.arrays import Complex, Floats
 from starskel.blending.certified.surroundings import SQUARE, Surroundings
 from starskel.blending.mean_values import mean_values
 from starskel.polar import as_points
-from starskel.predicates import Complex, Floats
 from starskel.task import UNWATCHED, Task
 
 

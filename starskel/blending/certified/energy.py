@@ -6,11 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg import solve
 
+from starskel.arrays import Complex, Floats
 from starskel.blending.certified.barrier import Barrier, Linear
 from starskel.blending.certified.metric import Metric
 from starskel.blending.certified.room import Room
 from starskel.polar import as_complex, as_points
-from starskel.predicates import Complex, Floats
 from starskel.task import Task
 
 Accepted = Callable[[Floats], bool]

@@ -6,8 +6,8 @@ from itertools import pairwise
 
 import numpy as np
 
+from starskel.arrays import Floats
 from starskel.outline import cross_themselves
-from starskel.predicates import Floats
 from starskel.task import Task
 
 Guide = Callable[[Floats], Floats]

@@ -6,10 +6,10 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
+from starskel.arrays import Complex, Floats, Indices
 from starskel.blending.fans import fans_of
 from starskel.decomposition.pieces import Decomposition
 from starskel.polar import as_complex
-from starskel.predicates import Complex, Floats, Indices
 from starskel.task import Task
 
 ON_RING = 3.0

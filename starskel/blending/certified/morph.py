@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import Floats
 from starskel.blending.certified.convex_combination import convex_combination_of
 from starskel.blending.certified.energy import Field
 from starskel.blending.certified.gaps import narrowed
@@ -20,7 +21,6 @@ from starskel.correspondence import Correspondence
 from starskel.decomposition import decompose_quickly
 from starskel.decomposition.pieces import Decomposition
 from starskel.errors import InvalidPolygon
-from starskel.predicates import Floats
 from starskel.task import Task
 
 MARGINS = (1 / 32, 1.0)

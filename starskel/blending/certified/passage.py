@@ -11,8 +11,8 @@ from itertools import pairwise
 
 import numpy as np
 
+from starskel.arrays import Complex, Floats, Indices
 from starskel.points import Points, points_of
-from starskel.predicates import Complex, Floats, Indices
 from starskel.task import Task
 from starskel.triangulation import triangulate
 

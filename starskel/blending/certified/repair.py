@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from starskel.arrays import Floats
 from starskel.blending.certified.keys import Chain, Guide, Key, Linked, frames_at
 from starskel.blending.certified.smoothing import retimed, smoothed, thinned
 from starskel.blending.certified.track import Track
 from starskel.blending.certified.tracking import Pull
 from starskel.outline import cross_themselves
-from starskel.predicates import Floats
 from starskel.task import Task
 
 MOMENTS = 64

@@ -5,10 +5,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from starskel.arrays import Complex, Floats, Indices
 from starskel.certificate import meet, near_pairs, seen_ends
 from starskel.clearance import nearer_pairs, stay_clear
 from starskel.polar import as_complex
-from starskel.predicates import Complex, Floats, Indices
 
 KEPT = 1e-3
 """The distance to be kept, as a part of the size."""

@@ -6,8 +6,8 @@ nothing is lost of the wanted motion.
 
 import numpy as np
 
+from starskel.arrays import Floats
 from starskel.blending.certified.keys import Chain, Guide, Key, Linked, farthest
-from starskel.predicates import Floats
 from starskel.task import Task
 
 SWEEPS = 4

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from starskel.arrays import Complex, Indices
 from starskel.blending.certified.passage import Passage, passages
 from starskel.blending.fans import Fans, fans_of
 from starskel.correspondence import Correspondence
@@ -18,7 +19,6 @@ from starskel.decomposition.pieces import Decomposition
 from starskel.errors import InvalidPolygon
 from starskel.polar import as_complex, as_points
 from starskel.polygon import Polygon
-from starskel.predicates import Complex, Indices
 from starskel.task import Task
 
 SQUARE = np.array([2 + 2j, -2 + 2j, -2 - 2j, 2 - 2j])

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from starskel.predicates import Floats, Indices
+from starskel.arrays import Floats, Indices
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,12 +11,12 @@ from functools import partial
 
 import numpy as np
 
+from starskel.arrays import Floats
 from starskel.blending.certified.energy import Field
 from starskel.blending.certified.keys import Linked, farthest
 from starskel.blending.certified.room import Room
 from starskel.blending.certified.track import Track
 from starskel.certificate import safe
-from starskel.predicates import Floats
 from starskel.task import Task
 
 PUSH = 1e-3

@@ -3,8 +3,8 @@ import pytest
 import shapely
 
 from app.model.density import kept_vertices, refined
+from starskel.arrays import Floats
 from starskel.polygon import Polygon
-from starskel.predicates import Floats
 
 SQUARE = np.array([(0.0, 0.0), (8.0, 0.0), (8.0, 8.0), (0.0, 8.0)])
 

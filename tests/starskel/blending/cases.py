@@ -4,9 +4,9 @@ from functools import cache
 
 import numpy as np
 
+from starskel.arrays import Floats
 from starskel.correspondence import Correspondence, match
 from starskel.decomposition import Decomposition, decompose
-from starskel.predicates import Floats
 from tests.conftest import FILES
 from tests.families import two_opt
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 
 Rings = list[Floats]
 

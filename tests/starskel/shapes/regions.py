@@ -5,7 +5,7 @@ import shapely
 
 import starskel
 from starskel import Shape
-from starskel.predicates import Floats
+from starskel.arrays import Floats
 from starskel.shapes.correspondence import ShapeCorrespondence
 from tests.families import two_opt
 
