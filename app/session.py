@@ -273,9 +273,9 @@ class Session(QObject):
             self.point("source", None)
             self._refresh()
 
-    def arrange(self, verb: Callable[[], Document], name: str, side: Side) -> None:
+    def arrange(self, verb: Callable[[Document], Document], name: str, side: Side) -> None:
         """Change the sequence of key shapes; the shape on this side is the one worked on next."""
-        if self.finish() and (document := verb()) != self.document:
+        if self.finish() and (document := verb(self.document)) != self.document:
             news = news_of(self.document, document)
             self.history = self.history.push(document, name)
             self._look(Selection(side), news)

@@ -77,14 +77,14 @@ class Sequencing(QObject):
     def add(self, after: int) -> None:
         """Put an empty shape behind another, and take the drawing tool in hand."""
         self._session.choose_tool("draw")
-        added = partial(arranging.add_shape, self._session.document, after)
+        added = partial(arranging.add_shape, after=after)
         self._session.arrange(added, QT_TRANSLATE_NOOP("Step", "Add key shape"), "target")
 
     def move(self, shape: int, to: int) -> None:
         """Move a shape to another number; it stays the one worked on."""
-        moved = arranging.move_shape(self._session.document, shape, to)
-        side: Side = "source" if moved.shape_on("source") == to else "target"
-        self._session.arrange(lambda: moved, QT_TRANSLATE_NOOP("Step", "Move key shape"), side)
+        moved = partial(arranging.move_shape, shape=shape, to=to)
+        side: Side = "source" if moved(self._session.document).shape_on("source") == to else "target"
+        self._session.arrange(moved, QT_TRANSLATE_NOOP("Step", "Move key shape"), side)
 
     def set_duration(self, duration: float) -> None:
         """Let the step on the canvases take so long."""
@@ -99,12 +99,12 @@ class Sequencing(QObject):
 
     @Slot()
     def _duplicate(self) -> None:
-        copied = partial(arranging.duplicate_shape, self._session.document, self._shape)
+        copied = partial(arranging.duplicate_shape, shape=self._shape)
         self._session.arrange(copied, QT_TRANSLATE_NOOP("Step", "Duplicate key shape"), "target")
 
     @Slot()
     def _delete(self) -> None:
-        rest = partial(arranging.delete_shape, self._session.document, self._shape)
+        rest = partial(arranging.delete_shape, shape=self._shape)
         self._session.arrange(rest, QT_TRANSLATE_NOOP("Step", "Delete key shape"), "source")
 
     @Slot()

@@ -56,6 +56,14 @@ def order(driver: Driver) -> list[int]:
     return [SHAPES.index(shape.rings[0]) if shape.parts else -1 for shape in shapes]
 
 
+def test_a_shape_still_being_drawn_is_closed_before_it_is_duplicated(driver: Driver) -> None:
+    driver.draw("source", TRIANGLE)
+    driver.click("target", *SQUARE)
+    driver.key(Qt.Key.Key_D, CONTROL | SHIFT)
+    sizes = [sum(map(len, shape.rings)) for shape in driver.document.sequence.shapes]
+    assert sizes == [3, 4, 4]
+
+
 def test_two_shapes_look_as_simple_as_ever(driver: Driver) -> None:
     driver.draw_both()
     assert not driver.window.sequence.isVisible()
