@@ -17,7 +17,8 @@ class Step:
     name : str
         What was done, as the menu calls it; empty for the first.
     joins : hashable or None
-        Steps in a row with the same value here count as one: a held arrow key is undone at once.
+        Steps in a row with the same value here count as one: a held arrow key is undone at once. What is
+        saved or looked at in between ends such a row.
     """
 
     document: Document
@@ -81,16 +82,14 @@ class History:
 
     def saving(self) -> "History":
         """Note that the document is in its file as it is now."""
-        return replace(self, saved=self.document)
+        return replace(self._at_rest(self.document), saved=self.document)
 
     def showing(self, step: int, link: int | None = None) -> "History":
         """Show another step of the document, or another link of it.
 
         That is no edit: nothing is forgotten and nothing can be undone.
         """
-        here = self.steps[self.position]
-        seen = replace(here, document=here.document.showing(step, link))
-        return replace(self, steps=(*self.steps[: self.position], seen, *self.steps[self.position + 1 :]))
+        return self._at_rest(self.document.showing(step, link))
 
     def at(self, position: int) -> "History":
         """Go to any step."""
@@ -103,3 +102,8 @@ class History:
     def redo(self) -> "History":
         """Go one step forward, where there is one."""
         return replace(self, position=min(self.position + 1, len(self.steps) - 1))
+
+    def _at_rest(self, document: Document) -> "History":
+        """Let the step that is shown be one that no other joins, with this document."""
+        here = replace(self.steps[self.position], document=document, joins=None)
+        return replace(self, steps=(*self.steps[: self.position], here, *self.steps[self.position + 1 :]))

@@ -34,3 +34,11 @@ def test_steps_of_one_gesture_are_undone_at_once() -> None:
     history = history.push(Document(name="last"), "Nudge", joins="other vertices")
     assert history.undo().document.name == "4"
     assert history.undo().undo().document.name == "start"
+
+
+def test_what_is_looked_at_or_saved_in_between_ends_a_row_of_joined_steps() -> None:
+    history = History.of(Document(name="start")).push(Document(name="a"), "Nudge", joins="vertex 0")
+    for between in (history.showing(0, 1), history.saving()):
+        later = between.push(Document(name="b"), "Nudge", joins="vertex 0")
+        assert later.undo().document.name == "a"
+        assert later.undo().undo().document.name == "start"

@@ -108,6 +108,19 @@ def test_a_click_chooses_the_part_under_it_and_a_drag_moves_it(face: Driver) -> 
     assert face.document.link == 1
 
 
+def test_parts_nudged_one_after_the_other_are_put_back_one_by_one(face: Driver) -> None:
+    face.key(Qt.Key.Key_S)
+    for eye in ((27, 62), (72, 62)):
+        face.click("source", eye)
+        face.key(Qt.Key.Key_Right)
+        face.key(Qt.Key.Key_Right)
+    face.key(Qt.Key.Key_Z, CONTROL)
+    assert face.document.shape("source").rings[2] == RIGHT_EYE
+    assert face.document.shape("source").rings[1] != LEFT_EYE
+    face.key(Qt.Key.Key_Z, CONTROL)
+    assert face.document.shape("source").rings == (FACE, LEFT_EYE, RIGHT_EYE)
+
+
 def test_marks_are_set_on_the_part_that_is_marked(face: Driver) -> None:
     face.mark((35, 70), (35, 70))
     assert face.document.way.links[1].marks == ((2, 2),)
