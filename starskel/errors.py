@@ -4,6 +4,9 @@ from collections.abc import Sequence
 from functools import reduce
 from typing import Self
 
+_LONGEST = 1000
+"""Letters of a value that errors show."""
+
 
 class Told(str):
     """A text made of a template and values, which it remembers: so it can be told again in another language.
@@ -23,11 +26,22 @@ class Told(str):
 
 
 def told(template: str, **values: object) -> Told:
-    """Fill a template. The translation tools look for calls of this name."""
-    text = Told(template.format(**values))
+    """Fill a template. The translation tools look for calls of this name.
+
+    Of long values the middle is left out: what files hold may be of any length.
+    """
+    shown = {name: _shortened(value) for name, value in values.items()}
+    text = Told(template.format(**shown))
     text.template = template
-    text.values = values
+    text.values = shown
     return text
+
+
+def _shortened(value: object) -> object:
+    if isinstance(value, Told) or not isinstance(value, str | Exception):
+        return value
+    words = str(value)
+    return words if len(words) <= _LONGEST else f"{words[: _LONGEST // 2]} … {words[-_LONGEST // 2 :]}"
 
 
 def either(names: Sequence[str]) -> str:

@@ -1,5 +1,6 @@
 """For all tests: the pairs of tests/shapes; how long tests of endurance run; no deadline for hypothesis."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -7,6 +8,7 @@ from hypothesis import settings
 
 from starskel.files.pair_file import PairFile
 from starskel.files.pairs import ShapePair, read_pairs
+from tests.limited import Limited
 
 settings.register_profile("patient", deadline=None)  # a busy machine is no fault
 settings.load_profile("patient")
@@ -24,6 +26,14 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line("markers", "endurance(usual, long): how much of it is done, and at full length")
+
+
+@pytest.fixture(scope="session")
+def in_little_memory() -> Iterator[Limited]:
+    """Call a function in a process that gets 128 MB for what it does."""
+    limited = Limited(128 << 20)
+    yield limited
+    limited.end()
 
 
 @pytest.fixture

@@ -10,8 +10,8 @@ from starskel.correspondence.marks import Mark
 from starskel.errors import InvalidFile, InvalidMarks, InvalidPolygon, told
 from starskel.files.documents import check_format, read_document
 from starskel.files.pair_file import PairFile
-from starskel.files.shapes import Row, check_rings
-from starskel.limits import Tally
+from starskel.files.shapes import Row, check_edges
+from starskel.limits import DOCUMENT_RINGS, Tally, check_limit
 from starskel.shapes.given import Places
 from starskel.shapes.pairing import Link, checked_pairing, suggest_pairing
 from starskel.shapes.shape import Shape
@@ -94,7 +94,8 @@ def read_multi_pairs(path: Path) -> PairFile[MultiPair]:
 
 def _checked(path: Path, entry: _Entry) -> MultiPair:
     where = told('{path}: pair "{name}"', path=path, name=entry.id)
-    check_rings([*entry.p, *entry.q], Tally(where))
+    check_limit(where, told("rings"), len(entry.p) + len(entry.q), DOCUMENT_RINGS)
+    check_edges([*entry.p, *entry.q], Tally(where))
     side = told("source (p)")
     try:
         source = Shape(entry.p)

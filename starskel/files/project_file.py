@@ -18,7 +18,7 @@ from starskel.files.picture import Picture, Share
 from starskel.files.project import Project, letter
 from starskel.files.shapes import Row, polygon_of, rows_of
 from starskel.files.step import Link, Step
-from starskel.limits import Tally
+from starskel.limits import DOCUMENT_RINGS, Tally
 from starskel.polygon import Polygon
 
 FORMAT = "starskel-project"
@@ -183,6 +183,7 @@ def read_project(path: Path) -> Project:
     """
     check_format(path, FORMAT)
     document, tally = _read(path), Tally(str(path))
+    tally.add(told("rings"), sum(len(shape.parts) for shape in document.shapes), DOCUMENT_RINGS)
     shapes = tuple(
         _shape(shape, told("{path}: shape {letter}", path=path, letter=letter(number)), tally)
         for number, shape in enumerate(document.shapes)

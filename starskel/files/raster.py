@@ -2,6 +2,7 @@
 
 import contextlib
 import io
+import re
 import struct
 import warnings
 from collections.abc import Iterable, Iterator, Sequence
@@ -65,8 +66,8 @@ def image_of(content: bytes, name: str = "the picture") -> Pixels:
             told("{name} is no picture, or of a kind that is not known here", name=name),
             told("save it as {kinds}", kinds=either(FORMATS)),
         ) from None
-    except Image.DecompressionBombError:
-        raise _too_large(name, told("many more")) from None
+    except Image.DecompressionBombError as error:
+        raise _too_large(name, _told_size(error)) from None
     except _FAULTS as error:
         raise _damaged(name, error) from error
     width, height = image.size
@@ -169,8 +170,8 @@ def read_animation(path: Path) -> tuple[list[Pixels], list[float]]:
             ]
     except InvalidFile:
         raise
-    except Image.DecompressionBombError:
-        raise _too_large(str(path), told("many more")) from None
+    except Image.DecompressionBombError as error:
+        raise _too_large(str(path), _told_size(error)) from None
     except _FAULTS as error:
         raise _damaged(str(path), error) from error
     return [frame for frame, _ in pictures], [duration for _, duration in pictures]
@@ -244,6 +245,12 @@ def _too_large(name: str, size: str) -> InvalidFile:
         told("{name} has too many pixels: {size}", name=name, size=size),
         told("scale it down to at most {most} pixels, {side} a side", most=PICTURE_PIXELS, side=PICTURE_SIDE),
     )
+
+
+def _told_size(error: Image.DecompressionBombError) -> str:
+    """Give the number that Pillow names: of what is this large it tells no width and height."""
+    number = re.search(r"\d+", str(error))
+    return number[0] if number else told("many more")
 
 
 def _damaged(name: str, error: BaseException) -> InvalidFile:

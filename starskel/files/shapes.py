@@ -7,7 +7,7 @@ import numpy as np
 from starskel.arrays import Floats
 from starskel.correspondence.marks import Mark, checked_marks
 from starskel.errors import InvalidFile, InvalidMarks, InvalidPolygon, told
-from starskel.limits import DOCUMENT_RINGS, EDGES, RING_VERTICES, Tally, check_limit
+from starskel.limits import EDGES, RING_VERTICES, Tally, check_limit
 from starskel.polygon import Polygon, overlapping_edges
 
 Row = tuple[float, float]
@@ -36,20 +36,14 @@ def polygon_of(rows: Sequence[Row], where: str, tally: Tally) -> Polygon:
         error, with `where` put in front.
     """
     check_limit(where, told("vertices"), len(rows), RING_VERTICES)
-    check_rings([rows], tally)
+    check_edges([rows], tally)
     try:
         return Polygon(rows)
     except InvalidPolygon as error:
         raise InvalidFile.holding(error, where) from error
 
 
-def check_rings(rings: Sequence[Sequence[Row]], tally: Tally) -> None:
-    """Refuse more rings than are made in a short time, as `check_edges` does edges."""
-    tally.add(told("rings"), len(rings), DOCUMENT_RINGS)
-    check_edges([np.asarray(rows, dtype=np.float64) for rows in rings if rows], tally)
-
-
-def check_edges(rings: Sequence[Floats], tally: Tally) -> None:
+def check_edges(rings: Sequence[Floats | Sequence[Row]], tally: Tally) -> None:
     """Refuse edges that lie so close to each other that looking for crossings would take time without end.
 
     Raises
@@ -57,8 +51,9 @@ def check_edges(rings: Sequence[Floats], tally: Tally) -> None:
     InvalidFile
         Naming the limit and the value.
     """
-    if rings:
-        tally.add(told("edges beside each other"), overlapping_edges(rings, EDGES), EDGES)
+    drawn = [np.asarray(ring, dtype=np.float64) for ring in rings if len(ring)]
+    if drawn:
+        tally.add(told("edges beside each other"), overlapping_edges(drawn, EDGES), EDGES)
 
 
 def marked_shapes(

@@ -1,12 +1,16 @@
-"""Drawings meant to take time or memory without end: each is refused, naming the limit and the value."""
+"""Drawings meant to take time or memory without end: refused in little memory, naming limit and value."""
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from starskel.errors import InvalidFile
 from starskel.reading.readers import read_content
+
+Call = Callable[..., Any]
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink">{}</svg>'
 PATH = '<path id="a0" d="M0 0H9V9H0Z"/>'
@@ -54,30 +58,34 @@ POINTS_OF_A_MAP = b'{"type":"FeatureCollection","features":[' + b",".join([POINT
     ],
     ids=[str(k) for k in range(19)],
 )
-def test_a_drawing_beyond_a_limit_is_refused_naming_it(inside: str, why: str) -> None:
+def test_a_drawing_beyond_a_limit_is_refused_naming_it(inside: str, why: str, in_little_memory: Call) -> None:
     with pytest.raises(InvalidFile, match=why):
-        read_content(SVG.format(inside).encode(), Path("a.svg"))
+        in_little_memory(read_content, SVG.format(inside).encode(), Path("a.svg"))
 
 
 @pytest.mark.parametrize("style", ["a" * 300_000, "a" * 100_000 + "{}", "a{" * 1_900, "a{b" + " " * 100_000])
-def test_style_sheets_on_which_patterns_would_be_tried_without_end_are_passed_over(style: str) -> None:
-    reading = read_content(SVG.format(f"<style>{style}</style>{PATH}").encode(), Path("a.svg"))
+def test_style_sheets_on_which_patterns_would_be_tried_without_end_are_passed_over(
+    style: str, in_little_memory: Call
+) -> None:
+    reading = in_little_memory(
+        read_content, SVG.format(f"<style>{style}</style>{PATH}").encode(), Path("a.svg")
+    )
     assert len(reading.shapes) == 1
 
 
-def test_what_is_not_drawn_counts_for_nothing() -> None:
+def test_what_is_not_drawn_counts_for_nothing(in_little_memory: Call) -> None:
     aside = "".join(f' data-{k}="{k}"' for k in range(3000))
     inside = f"<g {aside}>{PATH}</g><text>{'a' * 4_000_000}</text>"
     picture = f'<image href="data:image/png;base64,{"A" * 4_000_000}"/>'
-    reading = read_content(SVG.format(inside + picture).encode(), Path("a.svg"))
+    reading = in_little_memory(read_content, SVG.format(inside + picture).encode(), Path("a.svg"))
     assert len(reading.shapes) == 1
     assert len(reading.notes) == 2
 
 
-def test_an_unknown_encoding_is_a_damaged_file() -> None:
+def test_an_unknown_encoding_is_a_damaged_file(in_little_memory: Call) -> None:
     content = b'<?xml version="1.0" encoding="rot13"?>' + SVG.format(PATH).encode()
     with pytest.raises(InvalidFile, match="damaged"):
-        read_content(content, Path("a.svg"))
+        in_little_memory(read_content, content, Path("a.svg"))
 
 
 @pytest.mark.parametrize(
@@ -109,9 +117,11 @@ def test_an_unknown_encoding_is_a_damaged_file() -> None:
     ],
     ids=[str(k) for k in range(15)],
 )
-def test_maps_beyond_a_limit_or_of_other_things_are_refused(content: bytes, path: str, why: str) -> None:
+def test_maps_beyond_a_limit_or_of_other_things_are_refused(
+    content: bytes, path: str, why: str, in_little_memory: Call
+) -> None:
     with pytest.raises(InvalidFile, match=why):
-        read_content(content, Path(path))
+        in_little_memory(read_content, content, Path(path))
 
 
 @pytest.mark.parametrize(
@@ -125,6 +135,8 @@ def test_maps_beyond_a_limit_or_of_other_things_are_refused(content: bytes, path
     ],
     ids=[str(k) for k in range(5)],
 )
-def test_areas_beyond_all_numbers_and_tangles_are_refused(coordinates: str, why: str) -> None:
+def test_areas_beyond_all_numbers_and_tangles_are_refused(
+    coordinates: str, why: str, in_little_memory: Call
+) -> None:
     with pytest.raises(InvalidFile, match=why):
-        read_content(f"POLYGON(({coordinates}))".encode(), Path("a.wkt"))
+        in_little_memory(read_content, f"POLYGON(({coordinates}))".encode(), Path("a.wkt"))
