@@ -2886,8 +2886,8 @@
 <context>
     <name>Numbers</name>
     <message>
-        <source>How far the selection was turned since it was selected</source>
-        <translation>Wie weit die Auswahl gedreht wurde, seit sie getroffen wurde</translation>
+        <source>By how much to turn the selection about its middle</source>
+        <translation>Um wie viel die Auswahl um ihre Mitte gedreht wird</translation>
     </message>
 </context>
 <context>

@@ -9,7 +9,6 @@ from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QDoubleSpinBox
 
 from app.model.point import Point
-from app.model.selection import Selection
 from app.session import Session
 from app.tools import numbers
 from app.tools.tool import Response, Scene
@@ -88,10 +87,8 @@ class Placing(Page):
             (self._height, height),
             (self._turn, degrees),
         ):
-            field.blockSignals(True)  # what is shown is no edit
             field.setEnabled(value is not None)
-            field.setValue(value or 0.0)
-            field.blockSignals(False)
+            field.follow(value or 0.0)
 
     def _box(self, label: str, name: str, tip: str) -> DecimalField:
         box = DecimalField()
@@ -131,26 +128,24 @@ class Placing(Page):
 
 
 class Numbers(Placing):
-    """The numbers of the selection; it counts as not turned when it is selected."""
+    """The numbers of the selection; it counts as not turned when it is selected, and after other edits."""
 
     def __init__(self, session: Session) -> None:
-        self._turned: tuple[Selection, float] = Selection(), 0.0
+        self._turned: tuple[Scene, float] = Scene(session.document, session.selection), 0.0
         super().__init__(session)
 
     @property
     def turn_tip(self) -> str:
-        return self.tr("How far the selection was turned since it was selected")
+        return self.tr("By how much to turn the selection about its middle")
 
     def measured(self) -> Measured | None:
-        scene = Scene(self.session.document, self.session.selection)
+        scene = self._scene
         box = numbers.selected_box(scene)
-        if self._turned[0] != scene.selection:
-            self._turned = scene.selection, 0.0
         if box is None:
             return None
         width, height = box.size
         many = len(scene.selection.vertices) > 1
-        return Measured(box.middle, width or None, height or None, self._turned[1] if many else None)
+        return Measured(box.middle, width or None, height or None, self._degrees if many else None)
 
     def centre(self, middle: Point) -> None:
         self._edit(partial(numbers.centred, middle=middle))
@@ -159,9 +154,21 @@ class Numbers(Placing):
         self._edit(partial(numbers.sized, size=size))
 
     def turn_to(self, degrees: float) -> None:
-        selection, former = self._turned
-        self._turned = selection, degrees
-        self._edit(partial(numbers.turned, angle=radians(degrees - former)))
+        before = self.session.document
+        self._edit(partial(numbers.turned, angle=radians(degrees - self._degrees)))
+        if self.session.document is not before:  # else it was refused
+            self._turned = self._scene, degrees
+
+    @property
+    def _scene(self) -> Scene:
+        return Scene(self.session.document, self.session.selection)
+
+    @property
+    def _degrees(self) -> float:
+        """By how much what is selected has just been turned here."""
+        scene, degrees = self._turned
+        same = scene.document is self.session.document and scene.selection == self.session.selection
+        return degrees if same else 0.0
 
     def _edit(self, verb: Callable[[Scene], Response]) -> None:
         self.session.edit(verb)

@@ -1,6 +1,6 @@
 """The bar above the canvases: the strip of key shapes, its buttons, and how long the step shown takes."""
 
-from PySide6.QtCore import QRectF, QSignalBlocker, QSize, Qt, Slot
+from PySide6.QtCore import QRectF, QSize, Qt, Slot
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
@@ -98,5 +98,4 @@ class SequenceBar(QWidget):
         document = self._session.document
         self.setVisible(len(document.sequence.steps) > 1)
         self._letters.setText(words.step_letters(document.step))
-        with QSignalBlocker(self.duration):
-            self.duration.setValue(document.way.duration * Playback.duration)
+        self.duration.follow(document.way.duration * Playback.duration)

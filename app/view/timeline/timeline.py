@@ -1,6 +1,6 @@
 """Timeline: the clock's controls, and below them the chart over the same stretch of t."""
 
-from PySide6.QtCore import QPointF, QSignalBlocker, QSize, Qt, Slot
+from PySide6.QtCore import QPointF, QSize, Qt, Slot
 from PySide6.QtGui import QAction, QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QComboBox,
@@ -104,8 +104,7 @@ class Timeline(QWidget):
 
     @Slot(float)
     def _follow(self, t: float) -> None:
-        with QSignalBlocker(self._t):
-            self._t.setValue(t)
+        self._t.follow(t)
 
     @Slot(float)
     def _seek(self, t: float) -> None:

@@ -1,5 +1,6 @@
-"""A field for numbers that takes a comma and a point alike."""
+"""A field for numbers that takes a comma and a point alike, and may follow one from elsewhere."""
 
+from PySide6.QtCore import QSignalBlocker
 from PySide6.QtGui import QValidator
 from PySide6.QtWidgets import QDoubleSpinBox
 
@@ -12,3 +13,10 @@ class DecimalField(QDoubleSpinBox):
         point = self.locale().decimalPoint()
         state, same, place = super().validate(text.replace(",", point).replace(".", point), position)
         return state, same, place
+
+    def follow(self, value: float) -> None:
+        """Show a number as it is now: that is no edit, and what is being typed stays until it is entered."""
+        typing = self.hasFocus() and self.cleanText() != self.textFromValue(self.value())
+        if not typing:
+            with QSignalBlocker(self):
+                self.setValue(value)

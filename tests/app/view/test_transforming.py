@@ -132,6 +132,28 @@ def test_numbers_turn_from_where_the_selection_was(square: Driver) -> None:
     np.testing.assert_allclose(square.corners("source")[0], [10, 10], atol=1)
 
 
+def test_a_turn_that_was_taken_back_can_be_entered_again(square: Driver) -> None:
+    for _ in range(2):
+        enter(square, "turn", "90")
+        np.testing.assert_allclose(square.corners("source")[0], [90, 10], atol=1)
+        square.key(Qt.Key.Key_Z, CONTROL)
+        is_at(square, *SQUARE)
+        assert number(square, "turn") == 0
+
+
+def test_what_is_being_typed_stays_while_the_pointer_moves_over_the_canvas(square: Driver) -> None:
+    field = square.window.options.pages["select"].findChild(QDoubleSpinBox, "x")
+    assert field is not None
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "70")
+    square.hover("source", 90, 90)
+    assert square.session.overlay("source").vertex == 2
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert round(square.corners("source")[0][0]) == 30
+    assert field.text() == "70.00"
+
+
 def test_one_vertex_has_a_place_but_no_size(square: Driver) -> None:
     square.click("source", (140, 140))
     square.click("source", (90, 90))
