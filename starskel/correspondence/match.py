@@ -71,7 +71,9 @@ def match(
     start = int(np.flatnonzero(vertices[0] == 0)[0])
     source_ring, target_ring = (np.roll(ring, -start, axis=0) for ring in points)
     source_rows, target_rows = (np.roll(rows, -start) for rows in vertices)
-    return Correspondence(source_ring, target_ring, given, source_rows, target_rows)
+    row_of = {vertex: row for row, vertex in enumerate(source_rows.tolist())}
+    marked = tuple(row_of[polygons[0].vertex_of(i)] for i, _ in given)
+    return Correspondence(source_ring, target_ring, given, source_rows, target_rows, marked_rows=marked)
 
 
 def as_polygon(shape: PolygonLike, side: str) -> Polygon:

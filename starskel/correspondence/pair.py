@@ -25,6 +25,8 @@ class Correspondence(ReadOnlyArrays):
     starts : tuple of int
         The rows at which rings begin: one ring for a polygon; for a region with holes the outline, and behind
         it the holes, clockwise.
+    marked_rows : tuple of int
+        The rows that bear the marks, in the marks' order.
 
     Examples
     --------
@@ -33,6 +35,8 @@ class Correspondence(ReadOnlyArrays):
     >>> pair = starskel.match(square, triangle, marks=[(0, 0)])
     >>> len(pair), pair.marks
     (4, ((0, 0),))
+    >>> pair.source[list(pair.marked_rows)].tolist()
+    [[0.0, 0.0]]
     """
 
     source: Floats
@@ -41,6 +45,7 @@ class Correspondence(ReadOnlyArrays):
     source_vertices: Indices
     target_vertices: Indices
     starts: tuple[int, ...] = (0,)
+    marked_rows: tuple[int, ...] = ()
 
     @property
     def ring_pairs(self) -> "tuple[Correspondence, ...]":
@@ -69,6 +74,7 @@ class Correspondence(ReadOnlyArrays):
             source_vertices=self.target_vertices,
             target_vertices=self.source_vertices,
             starts=self.starts,
+            marked_rows=self.marked_rows,
         )
 
     def __len__(self) -> int:

@@ -13,7 +13,6 @@ from starskel.arrays import Floats
 from starskel.export.film import Film, Track
 from starskel.files.documents import document_text
 from starskel.shapes.shape_blend import ShapeBlend
-from starskel.sheet.keyframe import marked_rows
 from starskel.task import Task
 
 FORMAT = "starskel-frames/1"
@@ -67,7 +66,7 @@ def _document(track: Track, number: int, ts: list[float]) -> _Document | _ShapeD
         frames = [[_rows(ring) for ring in frame] for frame in blend.frames(ts)]
         return _ShapeDocument(SHAPE_FORMAT, track.name, ts, list(blend.pair.outer), frames)
     rings = [_rows(ring) for ring in blend.frames(ts)]
-    return _Document(FORMAT, track.name, ts, list(marked_rows(blend.pair)), rings)
+    return _Document(FORMAT, track.name, ts, list(blend.pair.marked_rows), rings)
 
 
 def _rows(ring: Floats) -> list[Any]:

@@ -88,7 +88,7 @@ class ShapeCorrespondence:
     def ring_pairs(self) -> tuple[Correspondence, ...]:
         """For each pair of rings their correspondence, counter-clockwise, in the order of the pairing."""
         known = {ring.links[0]: ring.pair for part in self.parts for ring in part.by_rings()}
-        return tuple(known[link] for link in self.pairing)
+        return tuple(self._marked(known[link], link[0]) for link in self.pairing)
 
     @cached_property
     def outer(self) -> tuple[int, ...]:
@@ -96,6 +96,14 @@ class ShapeCorrespondence:
         number = {link: k for k, link in enumerate(self.pairing)}
         owner = {link: number[part.links[0]] for part in self.parts for link in part.links[1:]}
         return tuple(owner.get(link, -1) for link in self.pairing)
+
+    def _marked(self, pair: Correspondence, ring: int | None) -> Correspondence:
+        """Give the correspondence of a ring of the source with its marks."""
+        if ring is None or not self.marks:
+            return pair
+        row_of = {vertex: row for row, vertex in enumerate(pair.source_vertices.tolist())}
+        rows = tuple(row_of[self.source.rings[ring].vertex_of(i)] for i, _ in self.marks[ring])
+        return replace(pair, marks=self.marks[ring], marked_rows=rows)
 
 
 def region_pair(rings: Sequence[Correspondence]) -> Correspondence:
@@ -105,8 +113,8 @@ def region_pair(rings: Sequence[Correspondence]) -> Correspondence:
         for number, ring in enumerate(rings)
     ]
     arrays = {name: np.concatenate([getattr(ring, name) for ring in (outline, *holes)]) for name in _ARRAYS}
-    starts = np.cumsum([0, *(len(ring) for ring in rings[:-1])])
-    return Correspondence(**arrays, marks=outline.marks, starts=tuple(starts.tolist()))
+    starts = tuple(np.cumsum([0, *(len(ring) for ring in rings[:-1])]).tolist())
+    return Correspondence(**arrays, marks=outline.marks, starts=starts, marked_rows=outline.marked_rows)
 
 
 _ARRAYS = ("source", "target", "source_vertices", "target_vertices")

@@ -9,7 +9,6 @@ import numpy as np
 from starskel.arrays import Floats, Indices
 from starskel.blending.frames import Blend
 from starskel.blending.pieces import PieceBlend
-from starskel.correspondence import Correspondence
 from starskel.errors import StarskelError, told
 from starskel.polygon import crossing_edges, meeting_places
 from starskel.sheet.drawing import Painter
@@ -137,17 +136,11 @@ def keyframes(
     """
     if not own.visible:
         raise hidden()
-    rows = marked_rows(blend.pair) if shown.marks else ()
+    rows = blend.pair.marked_rows if shown.marks else ()
     return tuple(
         Keyframe(t, ring, rows, _pieces(blend, t, shown), _skeleton(blend, t, shown), shown.vertices, own=own)
         for t, ring in zip(times, blend.frames(times), strict=True)
     )
-
-
-def marked_rows(pair: Correspondence) -> tuple[int, ...]:
-    """Give the rows that bear the marks, in the marks' order."""
-    rows = {int(vertex): row for row, vertex in enumerate(pair.source_vertices) if vertex >= 0}
-    return tuple(rows[i] for i, _ in pair.marks)
 
 
 def _pieces(blend: Blend, t: float, shown: Shown) -> tuple[Floats, ...]:

@@ -11,7 +11,6 @@ from starskel.arrays import Floats
 from starskel.outline import cross_themselves
 from starskel.polar import as_points
 from starskel.polygon import crossing_edges, meeting_places
-from starskel.shapes.correspondence import ShapeCorrespondence
 from starskel.shapes.shape_blend import ShapeBlend
 from starskel.shapes.structure import Structure, structures_at
 from starskel.sheet.drawing import Painter
@@ -128,7 +127,7 @@ def shape_keyframes(
     own = tuple(looks) or (USUAL_PART,) * len(blend.pair.pairing)
     if not any(look.visible for look, outer in zip(own, blend.pair.outer, strict=True) if outer < 0):
         raise hidden()
-    rows = marked_rows(blend.pair) if shown.marks else [()] * len(own)
+    rows = [ring.marked_rows if shown.marks else () for ring in blend.pair.ring_pairs]
     found = []
     for t, rings in zip(times, blend.frames(times), strict=True):
         tree = tree_at(blend, t) if shown.skeleton else np.empty((0, 2, 2))
@@ -137,16 +136,6 @@ def shape_keyframes(
         parts = tuple(_parts(blend, t, rings, shown, own, moving))
         found.append(ShapeKeyframe(t, parts, tree, pinned, shown.vertices))
     return tuple(found)
-
-
-def marked_rows(pair: ShapeCorrespondence) -> list[tuple[int, ...]]:
-    """Give for each ring of a frame the rows that bear its marks, in the marks' order."""
-    rows = []
-    for (source, _), ring in zip(pair.pairing, pair.ring_pairs, strict=True):
-        known = {int(vertex): row for row, vertex in enumerate(ring.source_vertices) if vertex >= 0}
-        marks = pair.marks[source] if source is not None and pair.marks else ()
-        rows.append(tuple(known[i] for i, _ in marks))
-    return rows
 
 
 def _parts(  # noqa: PLR0913, PLR0917 -- the rings, and all that decides about how they are seen

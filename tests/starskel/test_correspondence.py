@@ -6,6 +6,7 @@ import shapely
 from hypothesis import given
 from hypothesis import strategies as st
 
+import starskel
 from starskel.correspondence import match
 from starskel.correspondence.alignment import (
     ALONE_PRICE,
@@ -304,3 +305,15 @@ def test_a_bad_shape_is_named():
     with pytest.raises(InvalidPolygon, match=r"^target: edges 0-1 and 2-3 cross") as caught:
         match(SQUARE, bow_tie)
     assert caught.value.vertices == (0, 1, 2, 3)
+
+
+def test_marks_stand_at_the_points_that_were_given_also_where_these_run_clockwise():
+    square, clockwise = [(0, 0), (4, 0), (4, 4), (0, 4)], [(0, 0), (0, 4), (4, 4), (4, 0)]
+    for pair in (
+        starskel.match(clockwise, square, marks=[(1, 3), (2, 2)]),
+        starskel.match(starskel.Shape([clockwise]), starskel.Shape([square]), marks=[[(1, 3), (2, 2)]]),
+    ):
+        (ring,) = pair.ring_pairs
+        assert ring.source[list(ring.marked_rows)].tolist() == [[0, 4], [4, 4]]
+        assert ring.target[list(ring.marked_rows)].tolist() == [[0, 4], [4, 4]]
+        assert ring.marks == ((1, 3), (2, 2))
