@@ -208,6 +208,10 @@
         <translation>wählen Sie eine Datei des Formats {names}</translation>
     </message>
     <message>
+        <source>{mend}, or open it with a newer starskel</source>
+        <translation>{mend}, oder öffnen Sie sie mit einem neueren starskel</translation>
+    </message>
+    <message>
         <source>values</source>
         <translation>Werte</translation>
     </message>
@@ -238,6 +242,14 @@
     <message>
         <source>target (q)</source>
         <translation>Ziel (q)</translation>
+    </message>
+    <message>
+        <source>{where}: &quot;{name}&quot; is no file</source>
+        <translation>{where}: „{name}“ ist keine Datei</translation>
+    </message>
+    <message>
+        <source>give the name of a picture</source>
+        <translation>geben Sie den Namen eines Bildes an</translation>
     </message>
     <message>
         <source>{where}: the picture &quot;{name}&quot; is not in the folder of the file</source>

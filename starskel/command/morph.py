@@ -1,6 +1,5 @@
 """starskel morph: pictures inside shapes, as a moving picture, a row of frames or numbered files."""
 
-import re
 from argparse import Namespace
 from collections.abc import Sequence
 from pathlib import Path
@@ -13,6 +12,7 @@ from starskel.easing import EVEN, Easing
 from starskel.errors import InvalidFile
 from starskel.export.morphs import PNG, MorphSettings, check_ending, write_morph
 from starskel.export.settings import Settings, even_times
+from starskel.files.file_name import file_names_of
 from starskel.images.morph import ImageMorph, smooth
 from starskel.images.placed import SOLID
 from starskel.task import Task
@@ -74,9 +74,5 @@ def _times(arguments: Namespace, path: Path, easing: Easing) -> list[float]:
 
 
 def _own_files(path: Path, ids: Sequence[str]) -> list[Path]:
-    """Give a file for each pair, its name behind the file's; what no file name may hold is left out."""
-    names: list[str] = []
-    for number, pair_id in enumerate(ids, start=1):
-        name = re.sub(r"[^\w. -]", "_", pair_id)
-        names.append(name if name not in names else f"{name}-{number}")
-    return [path.with_name(f"{path.stem}-{name}{path.suffix}") for name in names]
+    """Give a file for each pair, its name behind the file's."""
+    return [path.with_name(f"{path.stem}-{name}{path.suffix}") for name in file_names_of(ids)]

@@ -44,10 +44,10 @@ def check_format(path: Path, *expected: str) -> str:
             if found
             else told("{path} does not name its format", path=path)
         )
-        raise InvalidFile(
-            what,
-            told("give a file of the format {names}", names=either([f'"{name}"' for name in expected])),
-        )
+        mend = told("give a file of the format {names}", names=either([f'"{name}"' for name in expected]))
+        if found.partition("/")[0] in {name.partition("/")[0] for name in expected}:
+            mend = told("{mend}, or open it with a newer starskel", mend=mend)
+        raise InvalidFile(what, mend)
     return found
 
 

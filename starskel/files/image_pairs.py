@@ -1,8 +1,9 @@
 """Files of pairs of pictures, format image-pairs/1: outlines in pixels, y down, and PNG files beside them."""
 
+import os
 from dataclasses import dataclass, replace
 from functools import partial
-from pathlib import Path, PurePosixPath
+from pathlib import Path, PureWindowsPath
 
 import msgspec
 
@@ -90,16 +91,33 @@ def _checked(path: Path, entry: _Entry) -> ImagePair:
 
 
 def _side(path: Path, side: _Side, where: str) -> tuple[PlacedImage, Polygon, bytes]:
-    name = PurePosixPath(side.image)
-    if name.is_absolute() or ".." in name.parts or "\\" in side.image:
-        raise InvalidFile(
-            told('{where}: the picture "{name}" is not in the folder of the file', where=where, name=name),
-            told("put it beside the file and give its name alone"),
-        )
-    content = read_bytes(path.parent / name, PICTURE_BYTES)
-    picture = PlacedImage(image_of(content, str(path.parent / name)))
+    beside = _beside(path, side.image, where)
+    content = read_bytes(beside, PICTURE_BYTES)
+    picture = PlacedImage(image_of(content, str(beside)))
     rows = picture.to_document(side.outline).tolist() if side.outline else []
     return picture, polygon_of(rows, where, Tally(where)), content
+
+
+def _beside(path: Path, name: str, where: str) -> Path:
+    """Give the picture of this name; a link may lead to another place in the folder, but not out of it."""
+    folder, beside = path.parent.resolve(), path.parent / name
+    windows = PureWindowsPath(name)  # its names mean something else there
+    if "\0" in name or windows.anchor or ".." in windows.parts or "\\" in name:
+        raise _outside(name, where)
+    if not beside.resolve().is_relative_to(folder):
+        raise _outside(name, where)
+    if os.path.exists(beside) and not os.path.isfile(beside):  # a pipe would let everybody wait
+        raise InvalidFile(
+            told('{where}: "{name}" is no file', where=where, name=name), told("give the name of a picture")
+        )
+    return beside
+
+
+def _outside(name: str, where: str) -> InvalidFile:
+    return InvalidFile(
+        told('{where}: the picture "{name}" is not in the folder of the file', where=where, name=name),
+        told("put it beside the file and give its name alone"),
+    )
 
 
 def _picture(image: PlacedImage, content: bytes) -> Picture:

@@ -122,6 +122,7 @@ def ask_about_changes(parent: QWidget, name: str) -> Answer:
     box = QMessageBox(parent)
     box.setIcon(QMessageBox.Icon.Question)
     box.setWindowTitle(translate("Dialogs", "Unsaved changes"))
+    box.setTextFormat(Qt.TextFormat.PlainText)
     box.setText(translate("Dialogs", "Save the changes to “{name}”?").format(name=name))
     box.setInformativeText(translate("Dialogs", "Otherwise they are lost."))
     kind = QMessageBox.StandardButton
@@ -175,6 +176,7 @@ def may_overwrite(parent: QWidget, paths: Sequence[Path]) -> bool:
     box = QMessageBox(parent)
     box.setIcon(QMessageBox.Icon.Warning)
     box.setWindowTitle(translate("Dialogs", "Overwrite?"))
+    box.setTextFormat(Qt.TextFormat.PlainText)
     box.setText(translate("Dialogs", "Files of these names are already there."))
     names = [path.name for path in paths[:5]] + (["…"] if len(paths) > 5 else [])
     box.setInformativeText("\n".join(names))

@@ -31,6 +31,7 @@ from starskel.errors import StarskelError
 from starskel.files import multi_pairs, pairs
 from starskel.files.documents import format_of
 from starskel.files.examples import example
+from starskel.files.file_name import file_name_of
 from starskel.files.multi_pairs import MultiPair, read_multi_pairs
 from starskel.files.pair_file import IMAGE_PAIRS, PairFile
 from starskel.files.pairs import ShapePair, read_pairs
@@ -143,7 +144,7 @@ class Files(QObject):
     @Slot()
     def save_as(self) -> bool:
         """Ask for a file and save; True where that was done."""
-        suggested = self._folder / f"{self.name}{PROJECT_ENDING}"
+        suggested = self._folder / f"{file_name_of(self.name)}{PROJECT_ENDING}"
         path = path_to_save(self._window, self.tr("Save project"), suggested, [PROJECT_ENDING])
         return path is not None and self._save(path)
 
@@ -151,7 +152,7 @@ class Files(QObject):
     def export(self) -> None:
         """Ask what to export and where, and write it."""
         exporting = import_module("app.view.files.exporting")  # not before, so that the window opens sooner
-        file = self._folder / self.name
+        file = self._folder / file_name_of(self.name)
         path = exporting.export(self._window, self._session, self._player, self._display, file)
         if path is not None:
             self._folder = path.parent

@@ -123,6 +123,7 @@ class RecoveryDialog(QDialog):
         box = QMessageBox(self)
         box.setIcon(QMessageBox.Icon.Question)
         box.setWindowTitle(self.tr("Discard"))
+        box.setTextFormat(Qt.TextFormat.PlainText)
         box.setText(self.tr("Discard the unsaved work on “{name}”?").format(name=name))
         box.setInformativeText(self.tr("It cannot be brought back. A saved file stays as it is."))
         kind = QMessageBox.StandardButton

@@ -88,6 +88,11 @@ class Journal:
             write_document(path, self._terms)
             return
         known = read_document(path, Terms)
+        if known.format != self._terms.format:
+            raise InvalidFile(
+                f'{path} has the format "{known.format}"',
+                "give another folder, or open it with a newer starskel",
+            )
         if known != self._terms:
             raise InvalidFile(
                 f"{self._folder} holds a batch by {', '.join(known.methods)} at {known.frames} frames",
@@ -117,7 +122,7 @@ def _locked(folder: Path) -> Iterator[None]:
     except ImportError:
         yield
         return
-    with (folder / ".lock").open("wb") as stream:
+    with (folder / ".lock").open("ab") as stream:  # were it a link, nothing would be lost
         try:
             fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError as error:

@@ -1,12 +1,13 @@
 """Saving where it fails, and what is left after a crash: with real disks, real crashes and real dialogs."""
 
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QMessageBox, QPushButton, QWidget
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QWidget
 
 from app.model.filing import Filed
 from app.recovery.places import Place, state_folder
@@ -14,6 +15,7 @@ from app.recovery.record import Record, write_record
 from app.view.files.recovery_dialog import RecoveryDialog
 from app.view.start import begin
 from starskel.files.examples import example
+from starskel.files.file_name import file_name_of
 from starskel.files.project_file import read_project, write_project
 from tests.app.driver import CONTROL, SQUARE, Driver, name_file
 from tests.disks import filled, read_only, small_disk
@@ -223,3 +225,21 @@ def test_a_window_that_is_closed_leaves_no_record(driver: Driver) -> None:
     driver.in_dialog(lambda question: click(question, "Discard"))
     driver.window.close()
     assert not list((state_folder() / "recovery").iterdir())
+
+
+@pytest.mark.parametrize("name", ["../../elsewhere", "/elsewhere", "a\0b", "/", "a" * 5000, "nul"])
+def test_a_document_of_any_name_is_offered_to_be_saved_in_the_folder(
+    driver: Driver, tmp_path: Path, name: str
+) -> None:
+    driver.session.show_project(replace(example("star"), name=name))
+    offered: list[str] = []
+
+    def look(dialog: QWidget) -> None:
+        assert isinstance(dialog, QFileDialog)
+        offered.extend(dialog.selectedFiles())
+        QTest.keyClick(dialog, Qt.Key.Key_Escape)
+
+    driver.in_dialog(look)
+    driver.key(Qt.Key.Key_S, CONTROL)
+    assert [Path(path).parent for path in offered] == [tmp_path]
+    assert Path(offered[0]).name == f"{file_name_of(name)}.json"

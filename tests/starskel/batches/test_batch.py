@@ -233,3 +233,23 @@ def test_a_scheduler_that_does_not_answer_is_told(monkeypatch):
     monkeypatch.setattr(cluster, "_PATIENCE", "0.2s")
     with pytest.raises(InvalidFile, match="no scheduler answers at tcp:"):
         list(cluster.outcomes(tasks(1), "tcp://127.0.0.1:9"))
+
+
+def test_a_folder_of_another_version_is_left_alone(capsys):
+    write("in", 1)
+    assert batch("in") == 0
+    terms = json.loads(Path("out/batch.json").read_text())
+    Path("out/batch.json").write_text(json.dumps({**terms, "format": "starskel-batch/2"}))
+    before = {path: path.read_bytes() for path in Path("out").iterdir()}
+    assert batch("in") == 2
+    assert 'batch.json has the format "starskel-batch/2"; give another folder' in capsys.readouterr().err
+    assert {path: path.read_bytes() for path in Path("out").iterdir()} == before
+
+
+def test_links_that_lie_in_the_folder_lose_nothing():
+    write("in", 1)
+    Path("kept").write_text("not to be touched")
+    Path("out").mkdir()
+    Path("out/.lock").symlink_to("../kept")
+    assert batch("in") == 0
+    assert Path("kept").read_text() == "not to be touched"
