@@ -132,7 +132,8 @@ def _vertices_at(places: Floats, ring: Indices, coordinates: Floats, rings: Ring
 
 def _key(places: Floats, ring: Indices) -> NDArray[np.uint64]:
     """Mix the bits of places and rings to numbers that all but never agree for two that differ."""
-    x, y = (places + 0.0).view(np.uint64).T  # adding zero makes -0.0 the same as 0.0
+    bits = (places + 0.0).view(np.uint64)  # adding zero makes -0.0 the same as 0.0
+    x, y = (bits ^ (bits >> np.uint64(32))).T  # signs and round numbers differ in the highest bits only
     key: NDArray[np.uint64] = (x * _ODD + y) * _ODD + ring.astype(np.uint64)
     return key
 
