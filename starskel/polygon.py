@@ -177,6 +177,11 @@ def meeting_places(ring: Floats, pairs: Indices) -> Floats:
     return places
 
 
+def crossing_places(ring: Floats) -> Floats:
+    """Give where edges of an (n, 2) ring meet that should not, as (k, 2) points."""
+    return meeting_places(ring, crossing_edges(ring))
+
+
 def _as_rows(points: ArrayLike | shapely.Geometry | Polygon) -> Floats:
     if isinstance(points, Polygon):
         return points.vertices.copy()

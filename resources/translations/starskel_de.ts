@@ -991,6 +991,14 @@
         <source>vertices to be cut into pieces</source>
         <translation>in Teile zu zerlegende Ecken</translation>
     </message>
+    <message>
+        <source>all that is to be seen is a point</source>
+        <translation>alles, was zu sehen wäre, ist ein Punkt</translation>
+    </message>
+    <message>
+        <source>choose other times</source>
+        <translation>andere Zeiten wählen</translation>
+    </message>
 </context>
 <context>
     <name>AboutDialog</name>

@@ -20,9 +20,9 @@ from starskel.shapes.shape_blend import ShapeBlend
 from starskel.sheet import style
 from starskel.sheet.comparison import Row, comparison_sheet
 from starskel.sheet.drawing import Drawing
-from starskel.sheet.keyframe import ALONE, Shown, keyframes
-from starskel.sheet.rows import Frame, Stage, box_of, row_sheet
-from starskel.sheet.shape_keyframe import shape_keyframes
+from starskel.sheet.keyframe import ALONE, Keyframe, Shown
+from starskel.sheet.keyframes import keyframes
+from starskel.sheet.rows import Stage, box_of, row_sheet
 from starskel.sheet.style import Look, PartLook
 
 _LOOKS = 101
@@ -74,13 +74,9 @@ class Scene:
     pictures: Pictures = no_pictures
     looks: tuple[PartLook, ...] = ()
 
-    def frames(self, ts: Sequence[float], shown: Shown, *, moving: bool = False) -> tuple[Frame, ...]:
+    def frames(self, ts: Sequence[float], shown: Shown, *, moving: bool = False) -> tuple[Keyframe, ...]:
         """Give the frames at each t; those that move are drawn alike at all times."""
-        frames: tuple[Frame, ...] = (
-            shape_keyframes(self.blend, ts, shown, self.looks, moving=moving)
-            if isinstance(self.blend, ShapeBlend)
-            else keyframes(self.blend, ts, shown, *self.looks)
-        )
+        frames = keyframes(self.blend, ts, shown, self.looks, moving=moving)
         if not shown.pictures or self.morph is None:
             return frames
         paint = partial(_painted, self.morph, self.hidden)
@@ -159,10 +155,10 @@ class Track:
         share = min((time - start) / (end - start), 1.0)
         return number, self.scenes[number].easing.t(share) if eased else share
 
-    def frames(self, times: Sequence[float], eased: bool, shown: Shown) -> tuple[Frame, ...]:
+    def frames(self, times: Sequence[float], eased: bool, shown: Shown) -> tuple[Keyframe, ...]:
         """Give the frames at shares of the whole way."""
         places = [self.at(time, eased) for time in times]
-        found: dict[int, Frame] = {}
+        found: dict[int, Keyframe] = {}
         for number, scene in enumerate(self.scenes):
             own = [k for k, (which, _) in enumerate(places) if which == number]
             if own:
@@ -270,7 +266,7 @@ class Film:
         shown = replace(self.settings.shown, pictures=False)
         return replace(self, settings=replace(self.settings, shown=shown))
 
-    def _frames(self, track: Track) -> tuple[Frame, ...]:
+    def _frames(self, track: Track) -> tuple[Keyframe, ...]:
         return track.frames(self.settings.times, self.settings.eased, self.settings.shown)
 
     def _rows(self) -> list[Row]:
@@ -310,7 +306,7 @@ class Shot:
         stage = self.film.stage
         return tuple(stage.picture(self.film.title, "frame", own) for own in zip(*frames, strict=True))
 
-    def _frames(self, track: Track, shares: Sequence[float]) -> tuple[Frame, ...]:
+    def _frames(self, track: Track, shares: Sequence[float]) -> tuple[Keyframe, ...]:
         scene, wanted = track.scenes[self.number], self.film.settings
         ts = [scene.easing.t(share) if wanted.eased else share for share in shares]
         return scene.frames(ts, replace(wanted.shown, pictures=False), moving=True)

@@ -12,7 +12,7 @@ from starskel.blending.pieces import PieceBlend
 from starskel.clearance import clearance
 from starskel.errors import StarskelError
 from starskel.outline import cross_themselves, edge_lengths, signed_areas
-from starskel.polygon import crossing_edges, meeting_places
+from starskel.polygon import crossing_places
 from starskel.quality.drift import angle_deviation, length_deviations, linear, roughness
 from starskel.quality.inside import Distortion, Triangles
 from starskel.quality.layers import in_layers
@@ -161,8 +161,8 @@ def _crossings(rings: Floats, times: Floats, task: Task) -> tuple[Crossing, ...]
         for k in start + np.flatnonzero(cross_themselves(rings[start : start + step])):
             frame = task.part(k / len(rings), 1)
             frame.reach(0)
-            places = meeting_places(rings[k], crossing_edges(rings[k]))
-            found.append(Crossing(float(times[k]), int(k), places, in_layers(rings[k], frame)))
+            places, natural = crossing_places(rings[k]), in_layers(rings[k], frame)
+            found.append(Crossing(float(times[k]), int(k), places, natural))
     return tuple(found)
 
 

@@ -1,11 +1,9 @@
 """What can be known for every t, not only for the frames looked at."""
 
-import numpy as np
-
 from starskel.arrays import Floats
 from starskel.blending.frames import Blend
 from starskel.certificate import first_unsafe, safe
-from starskel.polygon import crossing_edges, meeting_places
+from starskel.polygon import crossing_edges, crossing_places
 from starskel.quality.layers import in_layers
 from starskel.quality.report import Crossing
 from starskel.task import Task
@@ -48,9 +46,7 @@ def _first_meeting(before: Floats, after: Floats, start: float, end: float, task
             low = middle
         else:
             high = middle
-            if len(pairs := crossing_edges(frame)):
+            if len(crossing_edges(frame)):
                 break
     frame = (1 - high) * before + high * after
-    pairs = crossing_edges(frame)
-    places = meeting_places(frame, pairs) if len(pairs) else np.empty((0, 2))
-    return Crossing((1 - high) * start + high * end, None, places, in_layers(frame, task))
+    return Crossing((1 - high) * start + high * end, None, crossing_places(frame), in_layers(frame, task))

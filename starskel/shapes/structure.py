@@ -3,9 +3,12 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+import numpy as np
+
 from starskel.arrays import Floats
 from starskel.blending.frames import Blend
 from starskel.blending.pieces import PieceBlend
+from starskel.polar import as_points
 from starskel.shapes.shape_blend import ShapeBlend
 
 
@@ -48,3 +51,12 @@ def structures_at(blend: Blend | ShapeBlend, t: float) -> Iterator[Structure]:
             points, place = body.blend.points_at(t), rings[number][0]
             skeleton = body.carried(t, body.blend.skeleton_at(t), points[0], place)
             yield Structure(number, body.blend, body.carried(t, points, points[0], place), skeleton)
+
+
+def tree_at(blend: Blend | ShapeBlend, t: float) -> Floats:
+    """Give the two ends of each link of the meta-skeleton at t, (k, 2, 2); none where nothing joins parts."""
+    if not isinstance(blend, ShapeBlend) or blend.meta_skeleton is None:
+        return np.empty((0, 2, 2))
+    tree = blend.meta_skeleton.tree
+    links = np.array([(tree.parents[part], part) for part in tree.order[1:]], dtype=np.intp).reshape(-1, 2)
+    return np.asarray(as_points(blend.meta_skeleton.places(np.array([t])))[0, links])

@@ -9,7 +9,6 @@ from starskel.arrays import Floats
 from starskel.sheet import style
 from starskel.sheet.drawing import Area, Disc, Image, Item, Label, Line, Painter, Place, Stroke
 from starskel.sheet.keyframe import Keyframe, PlacedSkeleton
-from starskel.sheet.shape_keyframe import ShapeKeyframe
 from starskel.sheet.style import USUAL, Look
 
 
@@ -40,20 +39,16 @@ class Placement:
         return (points - self.place) / self.scale + self.centre
 
 
-def cell(frame: Keyframe | ShapeKeyframe, on_paper: Placement, look: Look = USUAL) -> Iterator[Item]:
+def cell(frame: Keyframe, on_paper: Placement, look: Look = USUAL) -> Iterator[Item]:
     """Give what is drawn of a keyframe: fill or star pieces, outline, skeleton, crossings, vertices, pins."""
-    if frame.picture is not None:
+    if frame.picture is not None and np.ptp(frame.box, axis=0).all():
         yield _picture(frame.picture, on_paper, frame.box)
-    if isinstance(frame, ShapeKeyframe):
-        yield from _parts(frame, on_paper, look)
-    else:
-        yield from _ring(frame, on_paper, look)
+    yield from _parts(frame, on_paper, look)
     if look.signs:
         yield from _crossings(on_paper(frame.crossings))
     for x, y in on_paper(frame.vertices).tolist():
         yield Disc((x, y), style.VERTEX_SIZE, style.PAPER, style.VERTEX_OUTLINE)
-    pins = frame.ring[list(frame.marks)] if isinstance(frame, Keyframe) else frame.pins
-    yield from _pins(on_paper(pins))
+    yield from _pins(on_paper(frame.pins))
 
 
 def cross_sign(place: Place, radius: float) -> Iterator[Item]:
@@ -79,18 +74,7 @@ def _strokes(place: Place, radius: float, lines: list[list[Place]]) -> Iterator[
         yield Line(np.array(place) + radius * np.array(line), Stroke(style.PAPER, 0.3 * radius))
 
 
-def _ring(frame: Keyframe, on_paper: Placement, look: Look) -> Iterator[Item]:
-    ring, outline = on_paper(frame.ring), _outline(frame, look)
-    yield from _pieces([on_paper(piece) for piece in frame.pieces], filled=frame.picture is None)
-    if frame.pieces or frame.picture is not None:
-        yield Area(ring, stroke=outline)
-    else:
-        yield Area(ring, frame.own.fill(look, frame.t), outline)
-    if frame.skeleton is not None:
-        yield from _skeleton(frame.skeleton, on_paper)
-
-
-def _parts(frame: ShapeKeyframe, on_paper: Placement, look: Look) -> Iterator[Item]:
+def _parts(frame: Keyframe, on_paper: Placement, look: Look) -> Iterator[Item]:
     """Draw each part as one path with its holes, or by its star pieces, then all skeletons.
 
     Under the skeletons lies the meta-skeleton: roots joined by links.
@@ -111,7 +95,7 @@ def _parts(frame: ShapeKeyframe, on_paper: Placement, look: Look) -> Iterator[It
             yield from _skeleton(part.skeleton, on_paper)
 
 
-def _outline(frame: Keyframe | ShapeKeyframe, look: Look) -> Stroke | None:
+def _outline(frame: Keyframe, look: Look) -> Stroke | None:
     if look.signs and not frame.simple:
         return style.CROSSING_OUTLINE
     return look.outline if frame.picture is None else None

@@ -11,7 +11,6 @@ from starskel.sheet.cell import cross_sign, layers_sign, tick_sign
 from starskel.sheet.drawing import Colour, Drawing, Item, Label, Line, Place
 from starskel.sheet.keyframe import Keyframe
 from starskel.sheet.rows import Grid, paper
-from starskel.sheet.shape_keyframe import ShapeKeyframe
 from starskel.sheet.style import Look
 from starskel.sheet.words import Kind, figures, kind_of, verdict
 
@@ -49,12 +48,10 @@ class Row:
     kind: Kind
     verdict: str
     figures: tuple[str, ...]
-    frames: tuple[Keyframe | ShapeKeyframe, ...]
+    frames: tuple[Keyframe, ...]
 
     @classmethod
-    def of(
-        cls, name: str, report: Report | ShapeReport, frames: tuple[Keyframe | ShapeKeyframe, ...]
-    ) -> "Row":
+    def of(cls, name: str, report: Report | ShapeReport, frames: tuple[Keyframe, ...]) -> "Row":
         """Give the row of a method that was measured."""
         return cls(name, kind_of(report), verdict(report), figures(report), frames)
 

@@ -1,19 +1,19 @@
 """A keyframe: what one cell of a sheet shows, in the user's units."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+import shapely
 
-from starskel.arrays import Floats, Indices
-from starskel.blending.frames import Blend
-from starskel.blending.pieces import PieceBlend
-from starskel.errors import StarskelError, told
-from starskel.polygon import crossing_edges, meeting_places
+from starskel.arrays import Floats
+from starskel.outline import cross_themselves
+from starskel.polygon import crossing_places
 from starskel.sheet.drawing import Painter
 from starskel.sheet.style import USUAL_PART, PartLook
 from starskel.skeleton import Skeleton
+
+NO_PLACES: Floats = np.empty((0, 2))
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,66 +42,89 @@ class PlacedSkeleton:
 
 
 @dataclass(frozen=True, eq=False)
+class FramePart:
+    """A part that is to be seen; of a blend of polygons there is one.
+
+    Attributes
+    ----------
+    rings : tuple of (n, 2) arrays
+        The outline and the holes.
+    own : PartLook
+        Its own colours.
+    pieces : tuple of (k, 2) arrays
+        The rings of the star pieces; none where they are not shown.
+    skeleton : PlacedSkeleton or None
+        The skeleton; None where it is not shown.
+    """
+
+    rings: tuple[Floats, ...]
+    own: PartLook = USUAL_PART
+    pieces: tuple[Floats, ...] = ()
+    skeleton: PlacedSkeleton | None = None
+
+    @property
+    def extended(self) -> tuple[Floats, ...]:
+        """The rings that are more than a point."""
+        return tuple(ring for ring in self.rings if np.ptp(ring, axis=0).any())
+
+
+@dataclass(frozen=True, eq=False)
 class Keyframe:
-    """The in-between polygon at one time, and what is to be seen on it.
+    """The in-between shape at one time, and what is to be seen on it.
 
     Attributes
     ----------
     t : float
         The time, in [0, 1].
-    ring : (n, 2) array
-        The polygon.
-    marks : tuple of int
-        The rows of the ring that bear the user's marks, in their order.
-    pieces : tuple of (k, 2) arrays
-        The rings of the star pieces; none where they are not shown.
-    skeleton : PlacedSkeleton or None
-        The skeleton; None where it is not shown.
+    parts : tuple of FramePart
+        At least one.
+    tree : (k, 2, 2) array
+        The two ends of each link of the meta-skeleton; none where it is not shown.
+    pins : (k, 2) array
+        Where the user's marks are, in their order; no rows where they are not shown.
     dotted : bool
         Whether the vertices are shown.
     picture : Painter or None
         What paints the picture in it, in the user's units; it takes the place of fill and outline.
-    own : PartLook
-        Its own colours.
     """
 
     t: float
-    ring: Floats
-    marks: tuple[int, ...] = ()
-    pieces: tuple[Floats, ...] = ()
-    skeleton: PlacedSkeleton | None = None
+    parts: tuple[FramePart, ...]
+    tree: Floats
+    pins: Floats
     dotted: bool = False
     picture: Painter | None = None
-    own: PartLook = USUAL_PART
 
     @property
     def vertices(self) -> Floats:
         """The vertices to be shown, as a (k, 2) array."""
-        return self.ring if self.dotted else self.ring[:0]
-
-    @cached_property
-    def crossings(self) -> Floats:
-        """The places where the ring meets itself, as a (k, 2) array; no rows where it is simple."""
-        return meeting_places(self.ring, self._crossing_edges)
+        rings = [ring for part in self.parts for ring in part.rings]
+        return np.concatenate(rings) if self.dotted else NO_PLACES
 
     @property
     def simple(self) -> bool:
-        """Whether the ring nowhere meets itself."""
-        return not len(self._crossing_edges)
+        """Whether no ring meets itself or is inside out, and holes are inside."""
+        extended = [part.extended for part in self.parts]
+        if any(cross_themselves(ring[None])[0] for rings in extended for ring in rings):
+            return False
+        return all(shapely.is_valid(shapely.Polygon(rings[0], rings[1:])) for rings in extended if rings)
 
     @cached_property
-    def _crossing_edges(self) -> Indices:
-        return crossing_edges(self.ring)
+    def crossings(self) -> Floats:
+        """The places where rings meet themselves, as a (k, 2) array; no rows where none does."""
+        places = [crossing_places(ring) for part in self.parts for ring in part.extended]
+        return np.concatenate([NO_PLACES, *places])
 
     @property
     def box(self) -> Floats:
-        """The lower left and the upper right corner of the ring's box, as rows."""
-        return np.array([self.ring.min(axis=0), self.ring.max(axis=0)])
+        """The lower left and the upper right corner of the box round all rings, as rows."""
+        points = np.concatenate([part.rings[0] for part in self.parts])
+        return np.array([points.min(axis=0), points.max(axis=0)])
 
 
 @dataclass(frozen=True)
 class Shown:
-    """What is to be seen on keyframes besides the polygon; pictures in its place, where there are any."""
+    """What is to be seen on keyframes besides the shape; pictures in its place, where there are any."""
 
     marks: bool = False
     pieces: bool = False
@@ -112,50 +135,3 @@ class Shown:
 
 ALONE = Shown(pictures=False)
 """Nothing besides."""
-
-
-def keyframes(
-    blend: Blend, times: Sequence[float], shown: Shown = ALONE, own: PartLook = USUAL_PART
-) -> tuple[Keyframe, ...]:
-    """Give the keyframes of a blend.
-
-    Parameters
-    ----------
-    blend : Blend
-    times : sequence of float
-        Numbers from 0 to 1.
-    shown : Shown
-        Star pieces and skeleton appear where the method has them.
-    own : PartLook
-        The colours of the polygon.
-
-    Raises
-    ------
-    StarskelError
-        Where a time is not a number from 0 to 1, or the polygon is hidden.
-    """
-    if not own.visible:
-        raise hidden()
-    rows = blend.pair.marked_rows if shown.marks else ()
-    return tuple(
-        Keyframe(t, ring, rows, _pieces(blend, t, shown), _skeleton(blend, t, shown), shown.vertices, own=own)
-        for t, ring in zip(times, blend.frames(times), strict=True)
-    )
-
-
-def _pieces(blend: Blend, t: float, shown: Shown) -> tuple[Floats, ...]:
-    if not (shown.pieces and isinstance(blend, PieceBlend)):
-        return ()
-    points = blend.points_at(t)
-    return tuple(points[list(piece)] for piece in blend.decomposition.pieces)
-
-
-def _skeleton(blend: Blend, t: float, shown: Shown) -> PlacedSkeleton | None:
-    if not (shown.skeleton and isinstance(blend, PieceBlend)):
-        return None
-    return PlacedSkeleton.of(blend.skeleton, blend.skeleton_at(t))
-
-
-def hidden() -> StarskelError:
-    """Give the error of frames in which nothing is to be seen."""
-    return StarskelError(told("all parts are hidden"), told("show at least one of them"))

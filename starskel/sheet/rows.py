@@ -6,11 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.arrays import Floats
+from starskel.errors import StarskelError, told
 from starskel.sheet import style
 from starskel.sheet.cell import Placement, cell, cross_sign
 from starskel.sheet.drawing import Area, Drawing, Group, Item, Label, Place
 from starskel.sheet.keyframe import Keyframe
-from starskel.sheet.shape_keyframe import ShapeKeyframe
 from starskel.sheet.style import USUAL, Look
 
 LONGEST = 12
@@ -23,8 +23,6 @@ PAGE = 360.0
 """The longer side of the box of all frames where each stands alone, in points."""
 
 _CAPTION = 14.0
-
-Frame = Keyframe | ShapeKeyframe
 
 
 @dataclass(frozen=True)
@@ -47,13 +45,19 @@ class Grid:
     look: Look = USUAL
 
     @classmethod
-    def of(cls, frames: Sequence[Frame], look: Look = USUAL) -> "Grid":
-        """Give the grid whose largest frame fills a cell."""
+    def of(cls, frames: Sequence[Keyframe], look: Look = USUAL) -> "Grid":
+        """Give the grid whose largest frame fills a cell.
+
+        Raises
+        ------
+        StarskelError
+            If all that is to be seen is a point.
+        """
         width, height = np.max([np.ptp(frame.box, axis=0) for frame in frames], axis=0).tolist()
-        scale = (look.size or CELL) / max(width, height)
+        scale = _scale(look.size or CELL, max(width, height))
         return cls(scale, width * scale, height * scale, look)
 
-    def cell(self, name: str, frame: Frame, middle: Place) -> Group:
+    def cell(self, name: str, frame: Keyframe, middle: Place) -> Group:
         """Give a frame with the middle of its box there, and a sign at the corner where it meets itself."""
         on_paper = Placement(self.scale, frame.box.mean(axis=0), np.array(middle))
         items = list(cell(frame, on_paper, self.look))
@@ -63,7 +67,9 @@ class Grid:
         return Group(name, tuple(items))
 
 
-def row_sheet(title: str, frames: Sequence[Frame], look: Look = USUAL, columns: int | None = None) -> Drawing:
+def row_sheet(
+    title: str, frames: Sequence[Keyframe], look: Look = USUAL, columns: int | None = None
+) -> Drawing:
     """Give the frames in rows of so many columns; by default in one, which goes on below after `LONGEST`."""
     grid = Grid.of(frames, look)
     columns = columns or min(len(frames), LONGEST)
@@ -108,9 +114,15 @@ class Stage:
         """The longer side of the box on paper, in points."""
         return self.look.size or PAGE
 
-    def picture(self, title: str, name: str, frames: Sequence[Frame]) -> Drawing:
-        """Give one picture; as many frames as there are names stand in it."""
-        scale = self.longer_side / float(np.ptp(self.box, axis=0).max())
+    def picture(self, title: str, name: str, frames: Sequence[Keyframe]) -> Drawing:
+        """Give one picture; as many frames as there are names stand in it.
+
+        Raises
+        ------
+        StarskelError
+            If the box is a point.
+        """
+        scale = _scale(self.longer_side, float(np.ptp(self.box, axis=0).max()))
         (width, height), margin = (np.ptp(self.box, axis=0) * scale).tolist(), self.look.margin
         head = _CAPTION if len(self.names) > 1 else 0.0
         foot = _CAPTION if self.look.captions else 0.0
@@ -134,7 +146,14 @@ class Stage:
         return Drawing(title, *whole, tuple(items()))
 
 
-def box_of(frames: Sequence[Frame]) -> Floats:
+def _scale(side: float, extent: float) -> float:
+    """Give how many points are as long as one of the user's units where an extent fills a side."""
+    if not extent:
+        raise StarskelError(told("all that is to be seen is a point"), told("choose other times"))
+    return side / extent
+
+
+def box_of(frames: Sequence[Keyframe]) -> Floats:
     """Give the lower left and the upper right corner of a box that all frames fit into, as rows."""
     corners = np.concatenate([frame.box for frame in frames])
     return np.array([corners.min(axis=0), corners.max(axis=0)])
@@ -147,7 +166,7 @@ def paper(width: float, height: float, look: Look) -> Iterator[Area]:
         yield Area(corners, look.paper)
 
 
-def caption(frame: Frame, place: Place) -> Label:
+def caption(frame: Keyframe, place: Place) -> Label:
     """Give the time of a frame as a line of text, in the colour of warning where the frame meets itself."""
     colour = style.FAINT if frame.simple else style.CROSSING
     return Label(f"t = {frame.t:.3g}", place, style.TEXT_SIZE, colour, "middle")

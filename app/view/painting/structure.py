@@ -14,9 +14,7 @@ from app.view.painting.display import Layers
 from app.view.painting.drawing import faded, lines_of, pen, point_of, polygon_of
 from app.view.painting.theme import Theme
 from starskel.arrays import Floats
-from starskel.shapes.shape_blend import ShapeBlend
-from starskel.shapes.structure import Structure, structures_at
-from starskel.sheet.shape_keyframe import tree_at
+from starskel.shapes.structure import Structure, structures_at, tree_at
 from starskel.skeleton import Skeleton
 
 
@@ -59,8 +57,8 @@ class StructurePainter:
         """Paint the skeletons of all parts, and under them the meta-skeleton that joins them."""
         if not self._layers.skeleton:
             return
-        if isinstance(result.blend, ShapeBlend):
-            self._paint_tree(tree_at(result.blend, t))
+        if len(tree := tree_at(result.blend, t)):
+            self._paint_tree(tree)
         for structure in structures:
             places = self._camera.to_screen(structure.skeleton)
             self._paint_skeleton(structure.blend.skeleton, places, root=result.method == STEERED)

@@ -17,7 +17,7 @@ from app.view.painting.theme import Theme
 from app.view.wording import verdicts
 from starskel import Correspondence
 from starskel.arrays import Floats
-from starskel.sheet.keyframe import Keyframe
+from starskel.polygon import crossing_places
 from starskel.sheet.style import USUAL_PART, PartLook
 
 STALE = 0.55
@@ -62,7 +62,7 @@ class FramePainter:
             if self._layers.numbers and shown[number]:
                 self._paint_numbers(result.pairs[number], ring)
             if number in crossing:
-                self._paint_crossings(Keyframe(t, ring))
+                self._paint_crossings(ring)
         self._painter.setOpacity(1.0)
 
     def paint_ground(self, result: Result, t: float, looks: Sequence[PartLook]) -> None:
@@ -100,10 +100,10 @@ class FramePainter:
         self._painter.setPen(pen(colour, 0.0))
         self._painter.drawPolygon(polygon_of(self._camera.to_screen(ring)))
 
-    def _paint_crossings(self, frame: Keyframe) -> None:
-        """Mark where the frame crosses itself, once for places that would fall on each other."""
+    def _paint_crossings(self, ring: Floats) -> None:
+        """Mark where a ring crosses itself, once for places that would fall on each other."""
         marked: list[QPointF] = []
-        for row in self._camera.to_screen(frame.crossings):
+        for row in self._camera.to_screen(crossing_places(ring)):
             place = point_of(row)
             if all((place - other).manhattanLength() > 14 for other in marked):
                 marked.append(place)

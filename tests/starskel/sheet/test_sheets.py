@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
+from starskel.errors import StarskelError
 from starskel.sheet.comparison import Row, comparison_sheet
 from starskel.sheet.drawing import Area, Disc, Group, Label, Line
-from starskel.sheet.keyframe import Keyframe, PlacedSkeleton
+from starskel.sheet.keyframe import FramePart, Keyframe, PlacedSkeleton
 from starskel.sheet.rows import LONGEST, Stage, box_of, row_sheet
 from starskel.sheet.style import USUAL, Look
 from tests.starskel.export.rendering import (
@@ -29,9 +30,21 @@ def turned(ring, quarter):
     return ring @ np.array([[c, s], [-s, c]])
 
 
-FRAMES = tuple(Keyframe(t, turned(HOOK, t) + 100 * t, marks=(0, 3)) for t in (0.0, 0.25, 0.5, 1.0))
-WHOLE = Keyframe(
-    0.5, HOOK, (0,), (HOOK[:3], HOOK[2:]), PlacedSkeleton(HOOK[[0, 4]], HOOK[[2]], HOOK[[[0, 2], [2, 4]]])
+def frame_of(ring, t=0.5, marks=(), **cut):
+    return Keyframe(t, (FramePart((ring,), **cut),), np.empty((0, 2, 2)), ring[list(marks)])
+
+
+def ring_of(frame):
+    (part,) = frame.parts
+    return part.rings[0]
+
+
+FRAMES = tuple(frame_of(turned(HOOK, t) + 100 * t, t, (0, 3)) for t in (0.0, 0.25, 0.5, 1.0))
+WHOLE = frame_of(
+    HOOK,
+    marks=(0,),
+    pieces=(HOOK[:3], HOOK[2:]),
+    skeleton=PlacedSkeleton(HOOK[[0, 4]], HOOK[[2]], HOOK[[[0, 2], [2, 4]]]),
 )
 
 
@@ -110,7 +123,7 @@ def test_pages_lie_on_one_another_as_the_frames_do():
     pages = [outline(frames_of(page)[0]) for page in page_sheets("pages", FRAMES)]
     scale = np.linalg.norm(pages[0][1] - pages[0][0]) / 2
     for page, frame in zip(pages, FRAMES, strict=True):
-        assert (page - pages[0]) / scale == pytest.approx(frame.ring - FRAMES[0].ring)
+        assert (page - pages[0]) / scale == pytest.approx(ring_of(frame) - ring_of(FRAMES[0]))
 
 
 def test_a_long_row_goes_on_below():
@@ -122,8 +135,8 @@ def test_a_long_row_goes_on_below():
 
 
 def test_a_frame_that_meets_itself_bears_a_sign_and_rings_the_place():
-    (good,) = frames_of(row_sheet("good", [Keyframe(0.5, HOOK)]))
-    (bad,) = frames_of(row_sheet("bad", [Keyframe(0.5, BOW_TIE)]))
+    (good,) = frames_of(row_sheet("good", [frame_of(HOOK)]))
+    (bad,) = frames_of(row_sheet("bad", [frame_of(BOW_TIE)]))
     assert not list(items(good, (Disc, Line)))
     ring, sign = items(bad, Disc)
     assert ring.centre == pytest.approx(outline(bad).mean(axis=0))
@@ -133,12 +146,22 @@ def test_a_frame_that_meets_itself_bears_a_sign_and_rings_the_place():
 
 
 def test_a_frame_knows_the_places_where_it_meets_itself():
-    assert Keyframe(0.5, BOW_TIE).crossings.tolist() == [[2.0, 2.0]]
-    assert Keyframe(0.5, HOOK).crossings.shape == (0, 2)
+    assert frame_of(BOW_TIE).crossings.tolist() == [[2.0, 2.0]]
+    assert frame_of(HOOK).crossings.shape == (0, 2)
+
+
+def test_a_frame_that_is_inside_out_is_not_simple_as_measure_says():
+    assert frame_of(HOOK).simple
+    assert not frame_of(HOOK[::-1]).simple
+
+
+def test_a_point_has_no_size_to_be_drawn_in():
+    with pytest.raises(StarskelError, match="all that is to be seen is a point; choose other times"):
+        row_sheet("point", [frame_of(HOOK[[0, 0, 0]])])
 
 
 def test_pins_are_numbered_from_one_at_their_vertices():
-    (frame,) = frames_of(row_sheet("pins", [Keyframe(0.0, HOOK, marks=(3, 0))]))
+    (frame,) = frames_of(row_sheet("pins", [frame_of(HOOK, 0.0, (3, 0))]))
     ring = outline(frame)
     assert [disc.centre for disc in items(frame, Disc)] == [tuple(ring[3]), tuple(ring[0])]
     assert [label.text for label in items(frame, Label)] == ["1", "2"]
@@ -167,7 +190,7 @@ def test_what_is_painted_lies_in_the_bounding_box(tmp_path, name):
 
 @needs_rsvg
 def test_a_frame_in_svg_is_where_the_sheet_says_and_right_side_up(tmp_path):
-    sheet = row_sheet("one", [Keyframe(0.5, HOOK)], look=Look(captions=False))
+    sheet = row_sheet("one", [frame_of(HOOK)], look=Look(captions=False))
     write_svg(tmp_path / "a.svg", sheet)
     assert_filled(rendered_svg(tmp_path / "a.svg"), outline(frames_of(sheet)[0]))
 
@@ -175,7 +198,7 @@ def test_a_frame_in_svg_is_where_the_sheet_says_and_right_side_up(tmp_path):
 @needs_ghostscript
 def test_pages_in_postscript_are_where_the_sheets_say_and_right_side_up(tmp_path):
     sheets = page_sheets(
-        "pages", [Keyframe(frame.t, frame.ring * 10) for frame in FRAMES], look=Look(captions=False)
+        "pages", [frame_of(ring_of(frame) * 10, frame.t) for frame in FRAMES], look=Look(captions=False)
     )
     write_postscript(tmp_path / "a.ps", sheets)
     pictures = rendered_postscript(tmp_path / "a.ps")
