@@ -6,6 +6,7 @@ the nearest point. Motions for which that says too little are halved.
 """
 
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
@@ -65,36 +66,48 @@ def _least(corners: Complex, known: float) -> float:
     return 0.0
 
 
-def nearer_pairs(
-    before: Complex, after: Complex, vertex: Indices, edge: Indices, distance: float
-) -> tuple[Indices, Indices]:
-    """Give those of some pairs of a vertex and an edge that may come nearer than a distance."""
-    corners = np.stack([*seen_ends(before, vertex, edge), *seen_ends(after, vertex, edge)])
-    near = _bounds(corners) < distance
-    return vertex[near], edge[near]
+class Swept(NamedTuple):
+    """Pairs of a vertex and an edge while a ring moves evenly.
 
-
-def stay_clear(before: Complex, after: Complex, vertex: Indices, edge: Indices, floors: Floats) -> bool:
-    """Tell whether pairs of a vertex and an edge keep their distances while a ring moves evenly.
-
-    The answer is right where it is yes, but for rounding; it may be no where a distance is all but reached.
-
-    Parameters
+    Attributes
     ----------
-    before, after : (n,) complex arrays
-    vertex, edge, floors : (k,) arrays
-        The pairs, and the distances to be kept.
+    vertex, edge : (k,) arrays
+        The pairs; an edge counts by its first end.
+    corners : (4, k) complex array
+        Both ends of the edge as seen from the vertex, before and after.
+    bounds : (k,) array
+        A lower bound of how near they come, right but for rounding.
     """
-    corners = np.stack([*seen_ends(before, vertex, edge), *seen_ends(after, vertex, edge)])
-    for _ in range(_MOST_HALVINGS):
-        near = _bounds(corners) < floors
-        corners, floors = corners[:, near], floors[near]
-        if not len(floors):
-            return True
-        if (_least_at_times(corners) < floors).any():
-            return False
-        corners, floors = _halves(corners), np.tile(floors, 2)
-    return False
+
+    vertex: Indices
+    edge: Indices
+    corners: Complex
+    bounds: Floats
+
+    @classmethod
+    def of(cls, before: Complex, after: Complex, vertex: Indices, edge: Indices) -> "Swept":
+        """Look at some pairs of a ring that moves from one (n,) frame to another."""
+        corners = np.array([*seen_ends(before, vertex, edge), *seen_ends(after, vertex, edge)])
+        return cls(vertex, edge, corners, _bounds(corners))
+
+    def nearer(self, distance: float | Floats) -> "Swept":
+        """Give those that may come nearer than a distance, one for all or one for each."""
+        near = self.bounds < distance
+        return Swept(self.vertex[near], self.edge[near], self.corners[:, near], self.bounds[near])
+
+    def keep(self, floors: Floats) -> bool:
+        """Tell whether all keep their distances, (k,); it may be no where one is all but reached."""
+        near = self.bounds < floors
+        corners, floors = self.corners[:, near], floors[near]
+        for _ in range(_MOST_HALVINGS):
+            if not len(floors):
+                return True
+            if (_least_at_times(corners) < floors).any():
+                return False
+            corners, floors = _halves(corners), np.tile(floors, 2)
+            near = _bounds(corners) < floors
+            corners, floors = corners[:, near], floors[near]
+        return not len(floors)
 
 
 def _least_at_times(corners: Complex) -> Floats:

@@ -12,8 +12,8 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from starskel.arrays import Complex, Floats, Indices
-from starskel.blending.certified.room import Room, contacts
-from starskel.certificate import near_pairs
+from starskel.blending.certified.contacts import Distances, contacts, contacts_within
+from starskel.blending.certified.room import Room
 
 REACH = 0.05
 """The largest distance at which pairs push each other apart, as a part of the size."""
@@ -37,6 +37,11 @@ LEAST = 1e-3
 """Where a pair has no room left, this part of its distance counts as left."""
 
 
+def reach_of(n: int, size: float) -> float:
+    """Give the largest reach in frames of n vertices."""
+    return REACH * size * float(min(1.0, np.sqrt(SPARSE / n)))
+
+
 @dataclass(frozen=True, eq=False)
 class Barrier:
     """The pairs near each other in some frame, and the reach of each.
@@ -56,28 +61,23 @@ class Barrier:
     room: Floats
 
     @classmethod
-    def near(cls, frame: Complex, met: tuple[Complex, ...], size: float, room: Room | None) -> "Barrier":
+    def near(cls, frame: Complex, met: Distances, most: float, room: Room | None) -> "Barrier":
         """Find the pairs of a frame that are or may soon be within reach.
 
         Parameters
         ----------
         frame : (n,) complex array
-        met : tuple of (n,) complex arrays
-            Frames where no pair may push.
-        size : float
-            The shapes' extent.
+        met : Distances
+            Those in frames where no pair may push.
+        most : float
+            The largest reach.
         room : Room, optional
             What is to be kept; without, pairs may come as near as they like.
         """
-        most = REACH * size * min(1.0, (SPARSE / len(frame)) ** 0.5)
-        parts = list(near_pairs(frame, frame, SOON * most))
-        vertex, edge = (np.concatenate([part[k] for part in parts]) for k in (0, 1))
-        reach = np.full(len(vertex), most)
-        for other in (frame, *met):
-            if other is not frame:
-                reach = np.minimum(reach, SHARE * contacts(other, vertex, edge).distance)
-            soon = contacts(frame, vertex, edge).distance < SOON * reach
-            vertex, edge, reach = vertex[soon], edge[soon], reach[soon]
+        vertex, edge, found = contacts_within(frame, SOON * most)
+        reach = np.minimum(most, SHARE * met.at(vertex, edge))
+        soon = found.distance < SOON * reach
+        vertex, edge, reach = vertex[soon], edge[soon], reach[soon]
         if room is None:
             return cls(vertex, edge, reach, np.zeros(len(reach)))
         return cls(vertex, edge, reach, np.minimum(AMPLE * room.floors(vertex, edge), reach * HALF))
@@ -128,7 +128,7 @@ class Linear(NamedTuple):
         return np.asarray((self.slopes.conj() * (self.parts * moves[self.vertices]).sum(axis=1)).real)
 
     def gradients(self, n: int) -> csr_array:
-        """Give the gradients by the x of n vertices, and behind them by the y, (k, 2 n)."""
+        """Give the gradients by the x of n points, and behind them by the y, (k, 2 n)."""
         rows = np.repeat(np.arange(len(self.logarithms)), 6)
         columns = np.concatenate([self.vertices, self.vertices + n], axis=1).ravel()
         both = self.slopes.real[:, None] * self.parts, self.slopes.imag[:, None] * self.parts

@@ -4,10 +4,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from scipy import sparse
 from scipy.linalg import solve
+from scipy.sparse.linalg import splu
 
 from starskel.arrays import Complex, Floats
-from starskel.blending.certified.barrier import Barrier, Linear
+from starskel.blending.certified.barrier import SHARE, Barrier, Linear, reach_of
+from starskel.blending.certified.contacts import Distances
 from starskel.blending.certified.metric import Metric
 from starskel.blending.certified.room import Room
 from starskel.polar import as_complex, as_points
@@ -15,6 +18,9 @@ from starskel.task import Task
 
 Accepted = Callable[[Floats], bool]
 """Tells whether a frame is good to go to."""
+
+FEW = 250
+"""With fewer pairs that push, a step is solved for their pushes, else for the moves of all points."""
 
 HALVINGS = 5
 """How often a step is halved before it counts as stuck."""
@@ -27,16 +33,22 @@ class Field:
     Attributes
     ----------
     metric : Metric
-    met : tuple of (n,) complex arrays
-        Frames where nothing pushes.
+    met : Distances
+        Those in frames where nothing pushes.
     """
 
     metric: Metric
-    met: tuple[Complex, ...]
+    met: Distances
+
+    @classmethod
+    def of(cls, metric: Metric, ends: tuple[Complex, ...]) -> "Field":
+        """Let nothing push in the source and in the target."""
+        n = len(ends[0])
+        return cls(metric, Distances.of(ends, n, reach_of(n, metric.size) / SHARE))
 
     def meeting(self, *frames: Floats) -> "Field":
         """Give the same where nothing pushes in these frames, either."""
-        return Field(self.metric, (*self.met, *(as_complex(frame) for frame in frames)))
+        return Field(self.metric, self.met.besides(*(as_complex(frame) for frame in frames)))
 
     def energy(self, now: Floats, goal: Floats, push: float, room: Room | None) -> "Energy":
         """Give the energy near to a frame.
@@ -49,7 +61,7 @@ class Field:
         room : Room, optional
             What is never to be taken; without, pairs may come as near as they like.
         """
-        barrier = Barrier.near(as_complex(now), self.met, self.metric.size, room)
+        barrier = Barrier.near(as_complex(now), self.met, reach_of(len(now), self.metric.size), room)
         return Energy(self.metric, barrier, as_complex(goal), push)
 
 
@@ -73,22 +85,22 @@ class Energy:
     def lessened(self, now: Floats, share: float, accepted: Accepted, task: Task) -> Floats | None:
         """Give the frame after as much of a share of a step as is good; None if hardly any is."""
         row = as_complex(now)
-        step, most = share * self._step(row), self._of(row)
+        step = self._step(row)
+        still, slope, bend = self.metric.strains(row - self.goal, step)
+        most = still + self.push * self.barrier.energy(row)
         for _ in range(HALVINGS):
             task.reach(0)
-            there = row + step
-            if self._of(there) < most and accepted(as_points(there)):
+            there = row + share * step
+            strain = still + share * (slope + share * bend)
+            if strain + self.push * self.barrier.energy(there) < most and accepted(as_points(there)):
                 return as_points(there)
-            step = step / 2
+            share /= 2
         return None
 
-    def _of(self, frame: Complex) -> float:
-        return self.metric.strain(frame - self.goal) + self.push * self.barrier.energy(frame)
-
     def _step(self, frame: Complex) -> Complex:
-        """Give the Gauss-Newton step: solve for pairs where these are fewer, else for coordinates."""
+        """Give the Gauss-Newton step, solved in one of two ways."""
         near, away = self.barrier.linear(frame), frame - self.goal
-        if len(near.logarithms) < 2 * len(frame):
+        if len(near.logarithms) < FEW:
             return self._step_by_pairs(near, away)
         return self._step_by_coordinates(near, away)
 
@@ -100,12 +112,17 @@ class Energy:
         return as_complex((yields.T @ as_points(pushes * near.slopes)) - as_points(away))
 
     def _step_by_coordinates(self, near: Linear, away: Complex) -> Complex:
-        """Solve for the moves of all vertices, x and y behind one another."""
-        n, stiffness = len(away), self.metric.stiffness
-        gradients = near.gradients(n)
-        matrix = (self.push * gradients.T @ gradients).toarray()
-        matrix[:n, :n] += stiffness
-        matrix[n:, n:] += stiffness
-        pulls = np.concatenate([stiffness @ away.real, stiffness @ away.imag])
-        moves = solve(matrix, -pulls - self.push * (gradients.T @ near.logarithms), assume_a="pos")
-        return np.asarray(moves[:n] + 1j * moves[n:])
+        """Solve for the moves of all points, inner ones as well: x and y behind one another, sparsely."""
+        both, n = self.metric.both, len(away)
+        gradients = near.gradients(both.shape[0] // 2)
+        displaced = np.zeros((2, both.shape[0] // 2))
+        displaced[:, :n] = away.real, away.imag
+        factors = splu(
+            sparse.csc_array(both + self.push * (gradients.T @ gradients)),
+            permc_spec="MMD_AT_PLUS_A",
+            diag_pivot_thresh=0.0,
+            options={"SymmetricMode": True},
+        )
+        moves = factors.solve(-both @ displaced.ravel() - self.push * (gradients.T @ near.logarithms))
+        x, y = moves.reshape(2, -1)[:, :n]
+        return np.asarray(x + 1j * y)

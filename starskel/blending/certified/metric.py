@@ -1,6 +1,7 @@
 """How far a frame is from the one that is wanted, by the strain of the fans, not by the vertices' ways."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from scipy import sparse
@@ -32,29 +33,36 @@ class Metric:
 
     Attributes
     ----------
+    whole : (m, m) sparse array
+        The form, for one coordinate, of the n points of the outline and of inner points behind them.
     stiffness : (n, n) array
-        The form, for one coordinate.
+        The form of the outline, inner points where the strain is least.
     compliance : (n, n) array
         Its inverse.
     size : float
         The shapes' extent, twice the largest distance from the mean of the vertices.
     """
 
+    whole: sparse.csc_array
     stiffness: Floats
     compliance: Floats
     size: float
 
-    def strain(self, away: Complex) -> float:
-        """Give half the form of displacements."""
-        parts = np.stack([away.real, away.imag], axis=1)
-        return float((parts * (self.stiffness @ parts)).sum() / 2)
+    def strains(self, away: Complex, step: Complex) -> tuple[float, float, float]:
+        """Give half the form of displacements and s steps of the outline, as a polynomial in s."""
+        parts = np.array([[away.real, away.imag], [step.real, step.imag]]).transpose(2, 0, 1)
+        pulls = (self.stiffness @ parts.reshape(len(away), 4)).reshape(parts.shape)
+        forms = np.einsum("nic,njc->ij", parts, pulls)
+        return float(forms[0, 0]) / 2, float(forms[0, 1]), float(forms[1, 1]) / 2
+
+    @cached_property
+    def both(self) -> sparse.csc_array:
+        """The form of the x of all points, and behind them the y."""
+        return sparse.csc_array(sparse.block_diag((self.whole, self.whole), format="csc"))
 
 
 def metric_of(decomposition: Decomposition, size: float, task: Task) -> Metric:
-    """Weigh the edges of the fans of all pieces by 1 / length^2: what counts is strain.
-
-    Inner points of the fans are where the strain is least for the outline, so they are solved for.
-    """
+    """Weigh the edges of the fans of all pieces by 1 / length^2: what counts is strain."""
     fans = fans_of(decomposition, task)
     n, m = len(decomposition.pair), len(fans.source)
     ends = np.sort(fans.triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
@@ -68,7 +76,7 @@ def metric_of(decomposition: Decomposition, size: float, task: Task) -> Metric:
     stiffness = whole[:n, :n].toarray()
     if m > n:
         stiffness -= whole[:n, n:] @ _solved(whole[n:, n:], whole[n:, :n].toarray(), task)
-    return Metric(stiffness, _solved(whole, np.eye(m, n), task)[:n], size)
+    return Metric(whole, stiffness, _solved(whole, np.eye(m, n), task)[:n], size)
 
 
 def _solved(matrix: sparse.csc_array, right: Floats, task: Task) -> Floats:

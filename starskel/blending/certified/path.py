@@ -54,14 +54,14 @@ def path(decomposition: Decomposition, guide: Guide, task: Task) -> tuple[Chain,
     source, target = decomposition.pair.source, decomposition.pair.target
     ends, size = (as_complex(source), as_complex(target)), extent(source, target)
     chains, way, field = [[Key(0.0, source)], [Key(1.0, target)]], Way.AS_IT_IS, None
-    roomy = Room(ends, KEPT * size)
+    roomy = Room.of(ends, KEPT * size)
     for room, work, part in (
         (roomy, WORK, task.part(0.05, 0.3)),
         (None, MORE_WORK, task.part(0.3, 0.55)),
     ):
         chains = filled(chains, guide, room.links if room else safe, part.part(0, 0.2))
         if len(chains) > 1:
-            field = field or Field(metric_of(decomposition, size, part.part(0.2, 0.2)), ends)
+            field = field or Field.of(metric_of(decomposition, size, part.part(0.2, 0.2)), ends)
             pull = Pull(field, room, Allowance(work))
             narrower = narrowed(chains, Following(guide, pull), MARGINS, part.part(0.2, 1))
             way = way if len(narrower) == len(chains) else Way.REPAIRED
@@ -70,12 +70,12 @@ def path(decomposition: Decomposition, guide: Guide, task: Task) -> tuple[Chain,
             break
     else:
         way = Way.CONVEX
-        field = field or Field(metric_of(decomposition, size, task.part(0.55, 0.55)), ends)
+        field = field or Field.of(metric_of(decomposition, size, task.part(0.55, 0.55)), ends)
         morphing = Morphing(decomposition, guide, field, roomy)
         chains = narrowed(chains, morphing, MORPHED_MARGINS, task.part(0.55, 0.9))
     keys = chains[0]
     if field and way is not Way.AS_IT_IS and len(chains) == 1:
-        ample = Room(ends, AMPLE * size)
+        ample = Room.of(ends, AMPLE * size)
         keys = Relaxing(guide, field, ample, ample)(keys, task.part(0.9, 1))
     if len(chains) > 1 or not proven(keys, task.part(1, 1)):
         raise StarskelError(

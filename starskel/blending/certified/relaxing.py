@@ -73,7 +73,7 @@ class Relaxing:
         """Give what is asked of a link: the room, or as small a part of it as it keeps."""
         for share in SHARES:
             task.quiet.reach(0)
-            room = Room(self.room.ends, share * self.room.kept)
+            room = self.room.part(share)
             if room.links(before, after):
                 return room.links
         return safe

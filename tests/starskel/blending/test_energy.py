@@ -1,8 +1,11 @@
 import numpy as np
 import pytest
 
+from starskel.blending.certified.barrier import reach_of
+from starskel.blending.certified.contacts import Distances
 from starskel.blending.certified.energy import Field
 from starskel.blending.certified.metric import metric_of
+from starskel.blending.certified.room import Room
 from starskel.decomposition import decompose
 from starskel.polar import as_complex
 from starskel.task import UNWATCHED
@@ -10,7 +13,8 @@ from tests.starskel.blending.cases import pair_of, size_of
 
 
 def energy_of(pair, frame, goal):
-    field = Field(metric_of(decompose(pair), size_of(pair), UNWATCHED), ())
+    metric = metric_of(decompose(pair), size_of(pair), UNWATCHED)
+    field = Field(metric, Distances.of((), len(pair), reach_of(len(pair), metric.size)))
     return field.energy(frame, goal, 1e-3, None)
 
 
@@ -24,3 +28,29 @@ def test_solving_for_pairs_and_for_coordinates_gives_the_same_step(name):
     np.testing.assert_allclose(
         energy._step_by_pairs(near, away), energy._step_by_coordinates(near, away), atol=1e-9 * size_of(pair)
     )
+
+
+def test_strain_along_a_step_is_that_of_the_place_it_leads_to():
+    pair = pair_of("run-walk")
+    metric = metric_of(decompose(pair), size_of(pair), UNWATCHED)
+    away, step = as_complex(pair.source - pair.target), as_complex(pair.target)
+    still, slope, bend = metric.strains(away, step)
+    there, _, _ = metric.strains(away + 0.3 * step, step)
+    assert there == pytest.approx(still + 0.3 * slope + 0.09 * bend, rel=1e-9)
+
+
+def test_distances_are_the_least_of_some_frames_or_unknown_where_large():
+    square = np.array([0, 1, 1 + 1j, 1j])
+    known = Distances.of((square, 0.5 * square), 4, 0.8)
+    vertex, edge = np.array([0, 2, 0]), np.array([1, 3, 0])
+    np.testing.assert_allclose(known.at(vertex, edge), [0.5, 0.5, np.inf])
+    assert Distances.of((square,), 4, 0.8).at(vertex, edge).min() == np.inf
+
+
+def test_links_with_hardly_any_room_left_are_decided_exactly():
+    ring = np.array([[0, 0], [2, 0], [2, 2], [1, 1e-16], [0, 2]])
+    room = Room.of((as_complex(ring),), 1e-3)
+    assert room.links(ring, ring)
+    across = ring.copy()
+    across[3, 1] = -1e-16
+    assert not room.links(ring, across)
