@@ -65,6 +65,7 @@ class Canvas(QWidget):
         self._display = display
         self._fits = True
         self._panning_from: QPointF | None = None
+        self._panning_with = Qt.MouseButton.NoButton
         self._space = False
         self.setObjectName(f"{side}-canvas")
         self.setAccessibleName(words.side(side))
@@ -151,7 +152,7 @@ class Canvas(QWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)
         if event.button() == Qt.MouseButton.MiddleButton or (self._space and self._is_left(event)):
-            self._panning_from = event.position()
+            self._panning_from, self._panning_with = event.position(), event.button()
             self.setCursor(Qt.CursorShape.ClosedHandCursor)
         elif self._is_left(event):
             self._session.press(self._pointer(event))
@@ -169,7 +170,7 @@ class Canvas(QWidget):
             self._session.move(self._pointer(event))
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        if self._panning_from is not None:
+        if self._panning_from is not None and event.button() == self._panning_with:
             self._panning_from = None
             self._show_cursor()
         elif self._is_left(event):
@@ -202,6 +203,7 @@ class Canvas(QWidget):
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         self._space = False
+        self._show_cursor()
         self.update()
 
     def focusInEvent(self, event: QFocusEvent) -> None:

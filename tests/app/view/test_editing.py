@@ -132,6 +132,30 @@ def test_middle_button_and_space_pan(square: Driver, by_space: bool) -> None:
     assert not square.session.selection
 
 
+def test_a_vertex_is_let_go_though_the_view_is_panned_meanwhile(square: Driver) -> None:
+    canvas = square.window.canvases["source"]
+    square.press("source", 90, 90)
+    square.hover("source", 70, 70)
+    place = canvas.camera.to_screen(np.array([70, 70])).astype(int)
+    QTest.mousePress(canvas, MIDDLE, PLAIN, QPoint(*place.tolist()))
+    QTest.mouseMove(canvas, QPoint(*(place + 40).tolist()))
+    QTest.mouseRelease(canvas, LEFT, PLAIN, QPoint(*(place + 40).tolist()))
+    assert not square.session.tool.busy
+    under = canvas.camera.to_document(200, 200)
+    QTest.mouseMove(canvas, QPoint(*(place + 60).tolist()))
+    QTest.mouseRelease(canvas, MIDDLE, PLAIN, QPoint(*(place + 60).tolist()))
+    np.testing.assert_allclose(canvas.camera.to_document(220, 220), under)
+
+
+def test_a_canvas_that_is_left_with_space_held_has_its_own_cursor_again(square: Driver) -> None:
+    canvas = square.window.canvases["source"]
+    canvas.setFocus()
+    QTest.keyPress(canvas, Qt.Key.Key_Space)
+    assert canvas.cursor().shape() == Qt.CursorShape.OpenHandCursor
+    square.window.canvases["target"].setFocus()
+    assert canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
+
+
 def test_fit_shows_the_whole_shape(square: Driver) -> None:
     canvas = square.window.canvases["source"]
     canvas.zoom(40)
