@@ -99,7 +99,7 @@ def open_example(window: MainWindow, example: str, t: float) -> None:
 
 def settle(window: MainWindow) -> None:
     """Let the window do what there is to do."""
-    while window.session.busy or window.session.morphs.busy:
+    while window.session.blends.busy or window.session.morphs.busy:
         QCoreApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     QCoreApplication.processEvents()

@@ -83,7 +83,7 @@ def show(window: MainWindow, example: str, t: float, layers: Layers) -> None:
 
 def settle(window: MainWindow) -> None:
     """Let the window do what there is to do."""
-    while window.session.busy or window.session.morphs.busy:
+    while window.session.blends.busy or window.session.morphs.busy:
         QCoreApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)  # panels of the example before
     QCoreApplication.processEvents()

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from app.compute import USUAL_METHODS, Blends, MethodState, Morphs, Result, Trace, subjects_of, trace_of
+from app.compute import USUAL_METHODS, Blends, Morphs, Proposal, Trace, subjects_of, trace_of
 from app.model.document import Document
 from app.model.filing import Filed, document_of, project_of
 from app.model.history import History
@@ -35,6 +35,8 @@ class Session(QObject):
         What undo and redo go through.
     file : Filed or None
         The project file, None before it has one.
+    blends : Blends
+        What there is to show of the methods.
     morphs : Morphs
         What paints pictures inside the blends.
     pointed : (side, int) or None
@@ -53,21 +55,12 @@ class Session(QObject):
     pointed_changed = Signal()
     """Another vertex is pointed at, or its partner has moved."""
     settings_changed = Signal()
-    results_changed = Signal()
-    progressed = Signal(str, float)
-    busy_changed = Signal(bool)
-    restarted = Signal()
-    """The computation ended by a fault and was begun anew."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.history = History.of(Document(methods=USUAL_METHODS))
-        self._blends = Blends(self)
-        self._blends.changed.connect(self.results_changed)
-        self._blends.suggested.connect(self._take_marks)
-        self._blends.progressed.connect(self.progressed)
-        self._blends.busy_changed.connect(self.busy_changed)
-        self._blends.restarted.connect(self.restarted)
+        self.blends = Blends(self)
+        self.blends.suggested.connect(self._take_marks)
         self.morphs = Morphs(self)
         self.hand = Hand()
         self.file: Filed | None = None
@@ -114,31 +107,6 @@ class Session(QObject):
         return self.history.unsaved
 
     @property
-    def busy(self) -> bool:
-        """Whether the worker is computing."""
-        return self._blends.busy
-
-    @property
-    def results(self) -> dict[str, MethodState]:
-        """For each method of the document what there is to show of the step on the canvases."""
-        return self._blends.results
-
-    def results_of(self, step: int) -> dict[str, MethodState]:
-        """Give for each method of the document what there is to show of any step."""
-        steps = self._blends.steps
-        return steps[step] if step < len(steps) else {}
-
-    @property
-    def fresh_results(self) -> tuple[Result, ...]:
-        """The blends of the step on the canvases as it is now, in the order in which they are shown."""
-        return self._blends.fresh
-
-    @property
-    def held(self) -> int:
-        """How many vertices the step on the canvases has, where they are too many to be blended unasked."""
-        return self._blends.held
-
-    @property
     def undoes(self) -> str | None:
         """The name of the edit that undo takes back."""
         return self.history.undoes
@@ -151,7 +119,7 @@ class Session(QObject):
     @property
     def trace(self) -> Trace | None:
         """What is known of the vertex pointed at: its partner, and its row in all blends."""
-        results = self.fresh_results
+        results = self.blends.fresh
         if self.pointed is None or not results:
             return None
         link = self.document.link
@@ -221,8 +189,8 @@ class Session(QObject):
 
     def cancel(self) -> None:
         """Give up the nearest thing that can be given up: gesture, notice, computation, selection."""
-        if self.busy and not self.hand.occupied:
-            self._blends.cancel()
+        if self.blends.busy and not self.hand.occupied:
+            self.blends.cancel()
         else:
             self._take(self.hand.cancel())
 
@@ -257,7 +225,7 @@ class Session(QObject):
         if self.finish():
             source, target = self.document.source, self.document.target
             if source is not None and target is not None:
-                self._blends.suggest(source, target, count)
+                self.blends.suggest(source, target, count)
 
     def show_step(self, step: int) -> None:
         """Put another step of the sequence on the canvases, after the gesture under way is finished."""
@@ -293,13 +261,9 @@ class Session(QObject):
         self.step_changed.emit()
         self._refresh()
 
-    def recompute(self) -> None:
-        """Compute all blends anew."""
-        self._blends.recompute()
-
     def close(self) -> None:
         """End the worker; to be called before the program ends."""
-        self._blends.close()
+        self.blends.close()
         self.morphs.close()
 
     # files
@@ -343,9 +307,14 @@ class Session(QObject):
 
     # how answers and documents come in
 
-    @Slot(object)
-    def _take_marks(self, marks: Marks) -> None:
-        self.edit(partial(replace_marks, marks=marks))
+    @Slot(object, object)
+    def _take_marks(self, proposal: Proposal, marks: Marks) -> None:
+        """Take in suggested marks, if they still are of what is worked on and no gesture has been begun."""
+        there = self.document.source, self.document.target
+        if there == (proposal.source, proposal.target) and not self.tool.busy:
+            self.edit(partial(replace_marks, marks=marks))
+        else:
+            self._blend(self.document)  # which waited for the marks
 
     def _take(self, hand: Hand, commit: Commit | None = None) -> None:
         """Take in what came of an event."""
@@ -384,7 +353,7 @@ class Session(QObject):
             self.history = replace(self.history, saved=Document())
         self.file = file
         self.hand = self.hand.for_document(document)
-        self._blends.forget()
+        self.blends.forget()
         self.tool_changed.emit()
         self.opened.emit()
         self._refresh()
@@ -395,4 +364,4 @@ class Session(QObject):
         self._blend(self.document)
 
     def _blend(self, document: Document, *, live: bool = False) -> None:
-        self._blends.show(subjects_of(document.sequence), document.step, document.methods, live=live)
+        self.blends.show(subjects_of(document.sequence), document.step, document.methods, live=live)

@@ -3,7 +3,7 @@
 from app.compute.blends import USUAL_METHODS, Blends
 from app.compute.computer import Computer
 from app.compute.morphs import Morphs
-from app.compute.request import Failure, MethodState, Request, Result, Subject, subjects_of
+from app.compute.request import Failure, MethodState, Proposal, Request, Result, Subject, subjects_of
 from app.compute.trace import Trace, trace_of
 from starskel.blending import STEERED
 
@@ -15,6 +15,7 @@ __all__ = [
     "Failure",
     "MethodState",
     "Morphs",
+    "Proposal",
     "Request",
     "Result",
     "Subject",

@@ -36,9 +36,10 @@ class Blends(QObject):
     changed = Signal()
     progressed = Signal(str, float)
     busy_changed = Signal(bool)
-    suggested = Signal(object)
-    """Marks that were asked for."""
+    suggested = Signal(object, object)
+    """A Proposal, and the marks that were asked for by it."""
     restarted = Signal()
+    """The computation ended by a fault and was begun anew."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -63,6 +64,10 @@ class Blends(QObject):
     def results(self) -> States:
         """For each method what there is to show of the step that comes first."""
         return self.steps[self._first]
+
+    def results_of(self, step: int) -> States:
+        """Give for each method what there is to show of any step."""
+        return self.steps[step] if step < len(self.steps) else {}
 
     @property
     def fresh(self) -> tuple[Result, ...]:

@@ -45,7 +45,7 @@ class Worker(QObject):
     progressed = Signal(int, str, float)
     finished = Signal(int, object)
     """A generation, and the methods that gave way to a newer request."""
-    suggested = Signal(int, object)
+    suggested = Signal(object, object)
     died = Signal(int)
     """A generation whose work ended by a fault; what comes after it would find a worker in pieces."""
 
@@ -99,7 +99,7 @@ class Worker(QObject):
         except BaseException:
             self.died.emit(proposal.generation)
             raise
-        self.suggested.emit(proposal.generation, tuple(marks))
+        self.suggested.emit(proposal, tuple(marks))
 
 
 class Computer(QObject):
@@ -109,7 +109,8 @@ class Computer(QObject):
     """What was blended, and the Result or Failure of one method."""
     progressed = Signal(str, float)
     busy_changed = Signal(bool)
-    suggested = Signal(object)
+    suggested = Signal(object, object)
+    """A Proposal and the marks."""
     restarted = Signal()
     """The worker died, and another one goes on in its place."""
     _requested = Signal(object)
@@ -219,11 +220,11 @@ class Computer(QObject):
             self._missing.discard(outcome.method)
             self.delivered.emit(self._running.subject, outcome)
 
-    @Slot(int, object)
-    def _suggest(self, generation: int, marks: Marks) -> None:
-        if generation == self._worker.newest:
+    @Slot(object, object)
+    def _suggest(self, proposal: Proposal, marks: Marks) -> None:
+        if proposal.generation == self._worker.newest:
             self._rest()
-            self.suggested.emit(marks)
+            self.suggested.emit(proposal, marks)
 
     @Slot(int, str, float)
     def _progress(self, generation: int, method: str, fraction: float) -> None:

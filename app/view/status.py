@@ -94,11 +94,11 @@ class Status(QStatusBar):
         self._delay.setInterval(BLINK)
         self._delay.timeout.connect(self._show_work)
         session.tool_changed.connect(self._show_hint)
-        session.progressed.connect(self._show_progress)
-        session.busy_changed.connect(self._show_busy)
-        session.restarted.connect(self._tell_restart)
+        session.blends.progressed.connect(self._show_progress)
+        session.blends.busy_changed.connect(self._show_busy)
+        session.blends.restarted.connect(self._tell_restart)
         self._show_hint()
-        self._show_busy(session.busy)
+        self._show_busy(session.blends.busy)
 
     @Slot(str)
     def tell(self, text: str) -> None:
@@ -153,7 +153,7 @@ class Status(QStatusBar):
     def _outcome(self) -> str:
         if self._session.tool.busy:  # methods that do not follow a gesture are out of date until it ends
             return ""
-        states = self._session.results.values()
+        states = self._session.blends.results.values()
         if any(state.stale and state.error is None for state in states) and self._session.document.source:
             return self.tr("Cancelled; F5 computes again") if self._session.document.target else ""
         return ""

@@ -61,7 +61,7 @@ class Watching(QObject):
             "step-back": player.step_back,
             "step-forward": player.step_forward,
             "next-crossing": self._show_next_crossing,
-            "recompute": self._session.recompute,
+            "recompute": self._session.blends.recompute,
         }
 
     def begin(self, actions: Actions) -> None:
@@ -69,7 +69,7 @@ class Watching(QObject):
         self._actions = actions
         for name in LAYERS:
             actions[name].setChecked(getattr(self._display.layers, name))
-        self._session.results_changed.connect(self._follow_results)
+        self._session.blends.changed.connect(self._follow_results)
         self._player.playing_changed.connect(self.dress)
         self._follow_results()
         self.dress()
@@ -85,7 +85,7 @@ class Watching(QObject):
     @Slot()
     def _follow_results(self) -> None:
         document = self._session.document
-        states = self._session.results_of(document.sequence.drawn_step(document.step)).values()
+        states = self._session.blends.results_of(document.sequence.drawn_step(document.step)).values()
         self._actions["export"].setEnabled(any(state.fresh is not None for state in states))
 
     @Slot()
@@ -112,6 +112,6 @@ class Watching(QObject):
 
     @Slot()
     def _show_next_crossing(self) -> None:
-        reports = [result.report for result in self._session.fresh_results]
+        reports = [result.report for result in self._session.blends.fresh]
         if (t := next_crossing(reports, self._player.t)) is not None:
             self._player.stop_at(t)

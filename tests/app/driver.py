@@ -70,7 +70,7 @@ class Driver:
 
     def wait_for_blends(self) -> None:
         """Wait until every method has its blend, or failed."""
-        self.wait(lambda: not self.session.busy)
+        self.wait(lambda: not self.session.blends.busy)
 
     @property
     def document(self) -> Document:

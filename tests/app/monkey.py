@@ -113,11 +113,11 @@ class Monkey(QObject):
             (1, self._resize),
         ]
         self._watch()
-        self._session.results_changed.connect(self._follow)
+        self._session.blends.changed.connect(self._follow)
 
     @Slot()
     def _follow(self) -> None:
-        errors = [state.error for state in self._session.results.values() if state.error is not None]
+        errors = [state.error for state in self._session.blends.results.values() if state.error is not None]
         self.faults += [error for error in errors if not isinstance(error, StarskelError)]
 
     def act(self) -> None:

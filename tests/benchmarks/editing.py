@@ -65,7 +65,7 @@ class Editor:
         self.settle()
 
     def settle(self) -> None:
-        while self.window.session.busy:
+        while self.window.session.blends.busy:
             wait()
 
     def close(self) -> None:
@@ -112,7 +112,7 @@ def dragging(vertices: int, moves: int = 25) -> None:
     for k in range(1, moves + 1):
         begun = now()
         session.move(Pointer("source", (x + 0.02 * k, y + 0.01 * k), 0.3))
-        while session.results["stitched"].stale:
+        while session.blends.results["stitched"].stale:
             wait()
         took.append(since(begun))
         editor.settle()

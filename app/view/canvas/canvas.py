@@ -77,7 +77,7 @@ class Canvas(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         for signal in (session.changed, session.pointed_changed, display.changed):
             signal.connect(self.update)
-        session.results_changed.connect(self._follow_results)
+        session.blends.changed.connect(self._follow_results)
         session.opened.connect(self.fit)
         session.step_changed.connect(self.fit)
         session.tool_changed.connect(self._show_cursor)

@@ -37,7 +37,7 @@ def away(stage: Stage, vertex: int) -> Floats:
 
 def paint_growth(stage: Stage) -> None:
     """Show where the part worked on grows from or shrinks to, if it has no partner here."""
-    document, results = stage.document, stage.session.fresh_results
+    document, results = stage.document, stage.session.blends.fresh
     if document.pair.ends == (None, None) or document.part(stage.side) is not None:
         return
     place = document.pair.place
@@ -59,7 +59,7 @@ def paint_trace(stage: Stage) -> None:
     trace, pointed = stage.session.trace, stage.session.pointed
     if trace is None or pointed is None:
         return
-    way = stage.session.fresh_results[0].samples[stage.document.link][:, trace.row]
+    way = stage.session.blends.fresh[0].samples[stage.document.link][:, trace.row]
     paint_way(stage.painter, stage.theme, stage.camera.to_screen(way))
     stage.painter.setPen(pen(stage.theme.accent, 2.5))
     stage.painter.setBrush(QColor(stage.theme.base))

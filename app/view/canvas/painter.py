@@ -85,7 +85,7 @@ def _paint_structure(stage: Stage, layers: Layers) -> None:
     if stage.overlay.ring is None and not stage.replaced:
         structure = StructurePainter(stage.painter, stage.theme, stage.camera, layers)
         shown = [look.visible for look in parts.looks(stage.document)]
-        structure.paint_cut(stage.session.fresh_results, stage.side, shown)
+        structure.paint_cut(stage.session.blends.fresh, stage.side, shown)
 
 
 def _paint_numbers(stage: Stage) -> None:

@@ -70,7 +70,9 @@ def stretches(session: Session) -> tuple[Stretch, ...]:
     steps, shapes = session.document.sequence.steps, session.document.sequence.shapes
     return tuple(
         Stretch(
-            tuple(state.fresh for state in session.results_of(number).values() if state.fresh is not None),
+            tuple(
+                state.fresh for state in session.blends.results_of(number).values() if state.fresh is not None
+            ),
             step,
             f"{letter(number)}-{letter(number + 1)}" if len(steps) > 1 else "",
             (shapes[number].picture, shapes[number + 1].picture),

@@ -75,7 +75,7 @@ class CarriedPictures(QObject):
 
     def _decomposition(self, result: Result) -> Decomposition | None:
         """Give the star pieces that another method has found for the same pair."""
-        for other in self._session.fresh_results:
+        for other in self._session.blends.fresh:
             if other.blend.pair is result.blend.pair and isinstance(other.blend, PieceBlend):
                 return other.blend.decomposition
         return None

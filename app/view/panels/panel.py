@@ -56,14 +56,14 @@ class Panel(QWidget):
 
     def follow(self, extent: Floats) -> None:
         """Show what the session has of this method, in the view that all panels share."""
-        state = self._session.results.get(self.method, MethodState())
+        state = self._session.blends.results.get(self.method, MethodState())
         self._show_verdict(state)
         self.view.show_blend(state, extent, self._message(state))
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
-            self._show_verdict(self._session.results.get(self.method, MethodState()))
+            self._show_verdict(self._session.blends.results.get(self.method, MethodState()))
 
     def _show_verdict(self, state: MethodState) -> None:
         texts, colour = self._verdict(state)
@@ -79,7 +79,7 @@ class Panel(QWidget):
         if state.error is not None:
             return ["✕ " + self.tr("no blend")], theme.refused
         if state.result is None:
-            return [self.tr("computing…") if self._session.busy else ""], theme.muted
+            return [self.tr("computing…") if self._session.blends.busy else ""], theme.muted
         report = state.result.report
         texts = verdicts.summaries(report)
         if state.stale:
@@ -97,9 +97,9 @@ class Panel(QWidget):
         if state.error is not None:
             return words.reason(state.error, self._session.document)
         document = self._session.document
-        if state.result is None and (held := self._session.held):
+        if state.result is None and (held := self._session.blends.held):
             return COUNTS.held(held)
-        if state.result is not None or self._session.busy:
+        if state.result is not None or self._session.blends.busy:
             return ""
         if document.source is None or document.target is None:
             return self.tr("The in-between shapes appear here as soon as there are a source and a target.")

@@ -44,8 +44,8 @@ class Panels(QWidget):
         self._grid.setContentsMargins(10, 4, 10, 0)
         self._grid.setSpacing(10)
         session.document_changed.connect(self._arrange)
-        session.results_changed.connect(self.follow)
-        session.busy_changed.connect(self.follow)
+        session.blends.changed.connect(self.follow)
+        session.blends.busy_changed.connect(self.follow)
         self._arrange()
 
     def panel(self, method: str) -> Panel:
@@ -88,6 +88,6 @@ class Panels(QWidget):
 
     def _extent(self) -> Floats:
         """Give the corners of the boxes of all blends."""
-        shown = self._session.results.values()
+        shown = self._session.blends.results.values()
         boxes = [state.result.box for state in shown if state.result is not None]
         return np.concatenate([np.empty((0, 2)), *boxes])

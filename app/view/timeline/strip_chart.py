@@ -64,7 +64,7 @@ class StripChart(QWidget):
         self.setAccessibleName(self.tr("Area, lengths and crossings over time"))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setMouseTracking(True)
-        session.results_changed.connect(self._follow)
+        session.blends.changed.connect(self._follow)
         session.document_changed.connect(self.updateGeometry)
         player.t_changed.connect(self.update)
 
@@ -102,7 +102,7 @@ class StripChart(QWidget):
         self._curves_image = None
 
     def _curves(self) -> list[Curve]:
-        results = self._session.results
+        results = self._session.blends.results
         return [
             Curve(number, method, shown.result.report, shown.stale)
             for number, method in enumerate(self._session.document.methods)

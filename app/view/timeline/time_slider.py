@@ -4,7 +4,7 @@ from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, Qt, Slot
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSlider, QStyle, QStyleOptionSlider, QWidget
 
-from app.session import Session
+from app.compute import Blends
 from app.view.painting.drawing import painting
 from app.view.painting.theme import theme_of
 from app.view.timeline.player import Player
@@ -16,9 +16,9 @@ STEPS = 1000
 class TimeSlider(QSlider):
     """Follows the player and moves it; a click on the groove goes there at once."""
 
-    def __init__(self, session: Session, player: Player, parent: QWidget | None = None) -> None:
+    def __init__(self, blends: Blends, player: Player, parent: QWidget | None = None) -> None:
         super().__init__(Qt.Orientation.Horizontal, parent)
-        self._session = session
+        self._blends = blends
         self._player = player
         self.setRange(0, STEPS)
         self.setSingleStep(STEPS // 100)
@@ -27,7 +27,7 @@ class TimeSlider(QSlider):
         self.setAccessibleName(self.tr("Time, from source to target"))
         self.setMinimumHeight(30)
         player.t_changed.connect(self._follow)
-        session.results_changed.connect(self.update)
+        blends.changed.connect(self.update)
         self.valueChanged.connect(self._seek)
 
     @property
@@ -59,7 +59,7 @@ class TimeSlider(QSlider):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(theme_of(self.palette()).refused))
         span = self.width() - 2 * self.inset
-        for shown in self._session.results.values():
+        for shown in self._blends.results.values():
             for start, stop, _ in crossing_spans(shown.result.report) if shown.result is not None else ():
                 place = QPointF(self.inset + start * span, 0)
                 painter.drawRect(QRectF(place.x(), 1, max((stop - start) * span, 2.0), 3))

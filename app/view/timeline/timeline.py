@@ -33,7 +33,7 @@ class Timeline(QWidget):
     def __init__(self, session: Session, player: Player, actions: Actions) -> None:
         super().__init__()
         self._session, self._player = session, player
-        self.slider = TimeSlider(session, player)
+        self.slider = TimeSlider(session.blends, player)
         self.chart = StripChart(session, player)
         self.chart.inset = self.slider.inset
         self._t = self._t_field()

@@ -62,7 +62,7 @@ def arm(driver: Driver) -> Driver:
 def test_a_click_on_a_crossing_stops_there(arm: Driver) -> None:
     chart, player = arm.window.timeline.chart, arm.window.player
     number = arm.document.methods.index("vertex")
-    result = arm.session.results["vertex"].result
+    result = arm.session.blends.results["vertex"].result
     assert result is not None
     span = crossing_spans(result.report)[0]
     player.play()
@@ -73,7 +73,7 @@ def test_a_click_on_a_crossing_stops_there(arm: Driver) -> None:
 
 
 def test_x_goes_from_crossing_to_crossing(arm: Driver) -> None:
-    reports = [result.report for result in arm.session.fresh_results]
+    reports = [result.report for result in arm.session.blends.fresh]
     arm.key(Qt.Key.Key_X)
     first = arm.window.player.t
     assert first == next_crossing(reports, 0.0)

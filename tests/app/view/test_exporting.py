@@ -163,7 +163,7 @@ def test_an_export_looks_as_it_was_wanted(driver: Driver, tmp_path: Path) -> Non
     driver.key(Qt.Key.Key_E, CONTROL)
     text = (tmp_path / "own.svg").read_text()
     assert "t = 0" not in text
-    assert text.count("<circle") == 6 * len(driver.session.fresh_results[0].pairs[0])
+    assert text.count("<circle") == 6 * len(driver.session.blends.fresh[0].pairs[0])
     assert 'fill="#ffffff"/>' in text
     assert text.count("<path") == 7
     assert 'stroke="#20262e" stroke-width="0.7"' not in text

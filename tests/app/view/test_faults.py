@@ -140,8 +140,8 @@ app.compute.job.blend = fail
 def close():
     assert "ZeroDivisionError" in window.panels.panel("stitched").view.message
     window.close()
-window.session.busy_changed.connect(lambda busy: busy or QTimer.singleShot(0, close))
-window.session.recompute()
+window.session.blends.busy_changed.connect(lambda busy: busy or QTimer.singleShot(0, close))
+window.session.blends.recompute()
 """,
     )
     assert done.returncode == 0, done.stderr

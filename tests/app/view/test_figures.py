@@ -170,7 +170,7 @@ def test_holes_in_letters_are_parts_of_the_shape(driver: Driver) -> None:
         assert driver.document.shape(side).shape.outer == outer
     assert [link.ends for link in driver.document.way.links] == [(0, 0), (1, 1)]
     driver.wait_for_blends()
-    for state in driver.session.results.values():
+    for state in driver.session.blends.results.values():
         assert state.result is not None
         assert isinstance(state.result.report, ShapeReport)
         assert state.result.report.holes_inside

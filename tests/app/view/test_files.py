@@ -291,4 +291,4 @@ def test_a_pair_of_pictures_is_opened_with_them(driver: Driver, tmp_path: Path) 
         assert picture is not None
         assert picture.size == (40, 30)
     driver.wait_for_blends()
-    assert all(state.error is None for state in driver.session.results.values())
+    assert all(state.error is None for state in driver.session.blends.results.values())

@@ -86,6 +86,19 @@ def test_suggested_marks_are_one_step(driver: Driver) -> None:
     assert driver.document.marks == before
 
 
+def test_suggested_marks_that_come_late_disturb_no_drawing(driver: Driver) -> None:
+    driver.session.show_project(example("arm"))
+    driver.wait_for_blends()
+    before = driver.document.marks
+    driver.key(Qt.Key.Key_D)
+    driver.session.suggest_marks(5)
+    driver.click("target", (20, 20), (80, 20), (80, 80))
+    driver.wait_for_blends()
+    assert driver.document.marks == before
+    assert driver.session.tool.busy
+    assert not any(state.stale for state in driver.session.blends.results.values())
+
+
 def test_a_vertex_hovered_over_shows_its_partner_and_its_way(squares: Driver) -> None:
     squares.mark((10, 10), (90, 10))
     squares.wait_for_blends()

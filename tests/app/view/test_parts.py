@@ -84,7 +84,7 @@ def test_a_part_is_added_drawn_and_blended_with_its_partner(driver: Driver) -> N
     assert ends(driver) == [(0, 0), (1, 1)]
     assert driver.window.parts.isVisible()
     driver.wait_for_blends()
-    result = driver.session.results["stitched"].result
+    result = driver.session.blends.results["stitched"].result
     assert result is not None
     assert isinstance(result.blend, ShapeBlend)
     assert result.outer == (-1, 0)
@@ -128,6 +128,15 @@ def test_marks_are_set_on_the_part_that_is_marked(face: Driver) -> None:
     face.window.actions_table["suggest"].trigger()
     face.wait(lambda: len(face.document.marks) > 1)
     assert [bool(link.marks) for link in face.document.way.links] == [False, True, False]
+
+
+def test_marks_suggested_for_a_part_that_was_left_meanwhile_mark_no_other(face: Driver) -> None:
+    face.session.show_link(1)
+    face.session.suggest_marks(4)
+    face.session.show_link(2)
+    face.wait_for_blends()
+    assert not any(link.marks for link in face.document.way.links)
+    assert not any(state.stale for state in face.session.blends.results.values())
 
 
 def test_holes_that_meet_are_refused_and_shown(face: Driver) -> None:
@@ -176,7 +185,7 @@ def test_a_part_is_hidden_renamed_and_coloured(face: Driver) -> None:
     face.in_dialog(choose)
     face.window.actions_table["part-colour"].trigger()
     assert face.document.shape("source").parts[1].colour == "#118833"
-    assert not face.session.busy  # looks are not blended anew
+    assert not face.session.blends.busy  # looks are not blended anew
     face.window.actions_table["part-usual-colour"].trigger()
     assert face.document.shape("source").parts[1].colour == ""
 
@@ -188,7 +197,7 @@ def test_a_dragged_partner_is_exchanged(face: Driver) -> None:
     drag(face, (0, SOURCE), (1, NAME))
     assert ends(face) == [(0, 0), (1, 1), (2, 2)]
     face.wait_for_blends()
-    assert all(state.error is None for state in face.session.results.values())
+    assert all(state.error is None for state in face.session.blends.results.values())
 
 
 def test_a_dragged_name_is_painted_elsewhere(face: Driver) -> None:
@@ -224,7 +233,7 @@ def test_a_part_is_split_by_a_drag_with_control(driver: Driver) -> None:
     drag(driver, (0, TARGET), (1, TARGET), besides=True)
     assert ends(driver) == [(0, 0), (0, 1)]
     driver.wait_for_blends()
-    result = driver.session.results["stitched"].result
+    result = driver.session.blends.results["stitched"].result
     assert result is not None
     assert sum(abs(_area(ring)) for ring in result.rings_at(0.0)) == pytest.approx(FACE.area, rel=1e-6)
 
@@ -243,7 +252,7 @@ def test_a_part_alone_grows_from_where_the_user_says(face: Driver) -> None:
     face.click("target", (50, 30))
     assert face.session.undoes == "Set place of growth"
     face.wait_for_blends()
-    result = face.session.results["stitched"].result
+    result = face.session.blends.results["stitched"].result
     assert result is not None
     assert np.allclose(result.rings_at(1.0)[2], face.document.pair.place, atol=1e-6)
     assert np.allclose(face.document.pair.place, (50, 30), atol=1)
@@ -267,7 +276,7 @@ def test_a_pairing_is_suggested_and_parts_move_each_by_itself(face: Driver) -> N
     assert not face.document.way.joined
     assert face.session.undoes == "Move separately"
     face.wait_for_blends()
-    result = face.session.results["stitched"].result
+    result = face.session.blends.results["stitched"].result
     assert result is not None
     assert isinstance(result.blend, ShapeBlend)
     assert result.blend.meta_skeleton is None
@@ -347,7 +356,7 @@ def test_the_list_that_opens_with_several_parts_does_not_make_the_window_wider(
     window.resize(1024, 760)
     window.files.open_example("letters-a-r")
     driver.wait(window.parts.isVisible)
-    driver.wait(lambda: bool(window.session.fresh_results))
+    driver.wait(lambda: bool(window.session.blends.fresh))
     assert window.width() == 1024
 
 

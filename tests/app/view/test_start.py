@@ -13,5 +13,5 @@ def test_the_first_example_is_there() -> None:
 def test_every_example_opens_and_blends_by_every_method(driver: Driver, name: str) -> None:
     driver.window.files.open_example(name)
     driver.wait_for_blends()
-    assert len(driver.session.fresh_results) == len(driver.document.methods)
+    assert len(driver.session.blends.fresh) == len(driver.document.methods)
     assert not driver.session.unsaved

@@ -25,7 +25,7 @@ def arm(driver: Driver) -> Driver:
 
 
 def shown(driver: Driver) -> StarSkeletonBlend:
-    result = driver.session.results["star-skeleton"].result
+    result = driver.session.blends.results["star-skeleton"].result
     assert result is not None
     assert isinstance(result.blend, StarSkeletonBlend)
     return result.blend
@@ -40,13 +40,13 @@ def click_on_origin(driver: Driver, piece: int) -> None:
 
 def test_a_click_on_a_star_origin_makes_it_the_root(arm: Driver) -> None:
     arm.window.actions_table["skeleton"].trigger()
-    others = {m: arm.session.results[m].result for m in ("stitched", "rigid", "vertex")}
+    others = {m: arm.session.blends.results[m].result for m in ("stitched", "rigid", "vertex")}
     blend = shown(arm)
     piece = next(k for k in range(len(blend.decomposition.pieces)) if k != blend.skeleton.root)
     click_on_origin(arm, piece)
     arm.wait_for_blends()
     assert shown(arm).skeleton.root == piece
-    assert {m: arm.session.results[m].result for m in others} == others  # nothing else was computed
+    assert {m: arm.session.blends.results[m].result for m in others} == others  # nothing else was computed
     button = arm.window.findChild(QToolButton, "usual-root")
     assert button is not None
     QTest.mouseClick(button, LEFT)
@@ -113,7 +113,7 @@ def test_each_part_has_a_root_of_its_own(driver: Driver, tmp_path: Path) -> None
     driver.session.show_project(replace(example("letters-b-8"), methods=("star-skeleton", "stitched")))
     driver.window.actions_table["skeleton"].trigger()
     driver.wait_for_blends()
-    stitched = driver.session.results["stitched"].result
+    stitched = driver.session.blends.results["stitched"].result
     structure = structure_of(driver)
     blend = structure.blend
     piece = next(k for k in range(len(blend.decomposition.pieces)) if k != blend.skeleton.root)
@@ -122,13 +122,13 @@ def test_each_part_has_a_root_of_its_own(driver: Driver, tmp_path: Path) -> None
     QTest.mouseClick(view, LEFT, PLAIN, QPoint(*place.tolist()))
     driver.wait_for_blends()
     assert structure_of(driver).blend.skeleton.root == piece
-    assert driver.session.results["stitched"].result is stitched
+    assert driver.session.blends.results["stitched"].result is stitched
     assert [link.root is not None for link in driver.document.way.links] == [True, False, False]
     driver.session.save(tmp_path / "b.json")
     words = ["render", str(tmp_path / "b.json"), "--method", "star-skeleton", "--at", "0.5"]
     assert main([*words, "-o", str(tmp_path / "frame.json")]) == 0
     written = json.loads((tmp_path / "frame.json").read_text())
-    result = driver.session.results["star-skeleton"].result
+    result = driver.session.blends.results["star-skeleton"].result
     assert result is not None
     assert written["frames"][0] == [ring.tolist() for ring in result.rings_at(0.5)]
     driver.session.undo()
@@ -137,6 +137,6 @@ def test_each_part_has_a_root_of_its_own(driver: Driver, tmp_path: Path) -> None
 
 def structure_of(driver: Driver) -> Structure:
     """Give the star-skeleton of the first part as it is now."""
-    result = driver.session.results["star-skeleton"].result
+    result = driver.session.blends.results["star-skeleton"].result
     assert result is not None
     return next(structures_at(result.blend, driver.window.player.t))

@@ -33,7 +33,7 @@ def verdict(driver: Driver, method: str) -> str:
 def test_drawing_two_shapes_is_enough_for_all_blends(driver: Driver) -> None:
     driver.draw_both()
     driver.wait_for_blends()
-    assert [result.method for result in driver.session.fresh_results] == list(USUAL_METHODS)
+    assert [result.method for result in driver.session.blends.fresh] == list(USUAL_METHODS)
 
 
 def test_each_method_gets_a_verdict(arm: Driver) -> None:
@@ -85,12 +85,12 @@ def test_play_moves_t_and_pause_holds_it(arm: Driver) -> None:
 
 
 def test_playing_computes_nothing(arm: Driver) -> None:
-    results = dict(arm.session.results)
+    results = dict(arm.session.blends.results)
     arm.key(Qt.Key.Key_P)
     QTest.qWait(100)
     arm.key(Qt.Key.Key_P)
-    assert arm.session.results == results
-    assert not arm.session.busy
+    assert arm.session.blends.results == results
+    assert not arm.session.blends.busy
 
 
 def test_a_click_on_the_slider_and_on_the_chart_goes_there(arm: Driver) -> None:
@@ -186,67 +186,67 @@ def test_methods_are_chosen_from_the_menu_and_the_choice_is_undone(arm: Driver) 
     vertex = next(action for action in menu.actions() if action.data() == "vertex")
     vertex.trigger()
     assert "vertex" not in arm.document.methods
-    assert len(arm.session.fresh_results) == len(USUAL_METHODS) - 1
+    assert len(arm.session.blends.fresh) == len(USUAL_METHODS) - 1
     arm.session.undo()
     arm.wait_for_blends()
-    assert len(arm.session.fresh_results) == len(USUAL_METHODS)
+    assert len(arm.session.blends.fresh) == len(USUAL_METHODS)
 
 
 def test_an_edit_leaves_the_last_blend_on_screen_marked_out_of_date(arm: Driver) -> None:
-    before = arm.session.results["stitched"].result
+    before = arm.session.blends.results["stitched"].result
     x, y = arm.document.vertices("source")[0].tolist()
     arm.key(Qt.Key.Key_S)
     arm.drag("source", (x, y), (x - 3, y - 3))
-    assert arm.session.results["stitched"].result is before
+    assert arm.session.blends.results["stitched"].result is before
     assert "out of date" in verdict(arm, "stitched")
     arm.wait_for_blends()
-    assert arm.session.results["stitched"].result is not before
+    assert arm.session.blends.results["stitched"].result is not before
     assert "out of date" not in verdict(arm, "stitched")
 
 
 def test_frames_follow_a_vertex_while_it_is_dragged(arm: Driver) -> None:
-    before = arm.session.results["stitched"].result
+    before = arm.session.blends.results["stitched"].result
     x, y = arm.document.vertices("source")[0].tolist()
     arm.key(Qt.Key.Key_S)
     arm.press("source", x, y)
     arm.hover("source", x - 2, y - 2)
     arm.hover("source", x - 3, y - 3)
-    shown = arm.session.results["stitched"]
+    shown = arm.session.blends.results["stitched"]
     assert shown.result is not None
     assert shown.stale or shown.result is not before  # a quick worker may have been there already
     arm.wait_for_blends()
-    held = arm.session.results["stitched"].result
+    held = arm.session.blends.results["stitched"].result
     assert held is not None
     assert np.abs(held.blend.at(0)[0] - (x - 3, y - 3)).max() < 1
     assert arm.corners("source")[0] == [round(x), round(y)]
     arm.key(Qt.Key.Key_Escape)
-    assert arm.session.results["stitched"].result is before
-    assert not arm.session.busy
+    assert arm.session.blends.results["stitched"].result is before
+    assert not arm.session.blends.busy
     arm.release("source", x - 3, y - 3)
 
 
 def test_undo_shows_the_former_blends_at_once(arm: Driver) -> None:
-    before = arm.session.results["stitched"].result
+    before = arm.session.blends.results["stitched"].result
     x, y = arm.document.vertices("source")[0].tolist()
     arm.key(Qt.Key.Key_S)
     arm.drag("source", (x, y), (x - 2, y), (x - 3, y - 3))
     arm.wait_for_blends()
     arm.session.undo()
-    assert not arm.session.busy
-    assert arm.session.results["stitched"].result is before
-    assert not arm.session.results["stitched"].stale
+    assert not arm.session.blends.busy
+    assert arm.session.blends.results["stitched"].result is before
+    assert not arm.session.blends.results["stitched"].stale
 
 
 def test_escape_cancels_the_computation_and_f5_takes_it_up_again(arm: Driver) -> None:
-    arm.session.recompute()
-    assert arm.session.busy
+    arm.session.blends.recompute()
+    assert arm.session.blends.busy
     arm.key(Qt.Key.Key_Escape)
-    assert not arm.session.busy
+    assert not arm.session.blends.busy
     QTest.qWait(100)
-    assert arm.session.results["stitched"].stale
+    assert arm.session.blends.results["stitched"].stale
     arm.key(Qt.Key.Key_F5)
     arm.wait_for_blends()
-    assert not arm.session.results["stitched"].stale
+    assert not arm.session.blends.results["stitched"].stale
 
 
 @pytest.mark.parametrize(
