@@ -81,15 +81,14 @@ def _carrier(blend: ShapeBlend, part: PartPair, body: Body, task: Task) -> Carri
         return np.concatenate([outline, *(hole[::-1] for hole in holes)])
 
     edges = _edges(part.pair)
-    if isinstance(body.blend, PieceBlend) and blend.method != "certified":  # that one goes its own ways
-        moved = _Moved(body, body.blend, rows_at)
-        return Carrier(body.blend.mesh.triangles, edges, moved.nodes_at, number=places[0])
-    source, target = (None not in sides for sides in zip(*part.links[:1], strict=True))
-    known, pair = None if part.alone else body.blend.decomposition, part.pair
+    if (pieces := blend.pieces_of(body)) is not None:
+        moved = _Moved(body, pieces, rows_at)
+        return Carrier(pieces.mesh.triangles, edges, moved.nodes_at, number=places[0])
+    pair, (source, target) = part.pair, (ring is not None for ring in part.links[0])
     if part.alone:
         there = pair.source if source else pair.target
         pair = replace(pair, source=there, target=there)
-    known = known or decompose_region(pair, task.part(0, 0.9))
+    known = body.blend.decomposition or decompose_region(pair, task.part(0, 0.9))
     inner = InnerMesh(rows_at, known, task.part(0.9, 1))
     return Carrier(inner.mesh.triangles, edges, inner.mesh_at, source, target, places[0])
 

@@ -19,7 +19,6 @@ from starskel.task import Task
 MOST_TURN = np.pi / 2
 """Parts that turn by more are blended as if they did not, and turned: so no method mistakes the way."""
 
-
 NEEDING_PIECES = ("star-skeleton", "stitched", "rigid", "certified")
 """The methods that stand on star pieces."""
 

@@ -69,6 +69,9 @@ class CertifiedShapeBlend(ShapeBlend):
         self.key_times = read_only(np.array([key.t for key in keys]))
         self._keys = self.key_times, np.stack([key.frame for key in keys])
 
+    def pieces_of(self, body: Body) -> None:
+        """Give none: frames lie between keyframes, where the pieces of the bodies would be elsewhere."""
+
     def _all_rows(self, ts: Floats) -> Floats:
         return np.concatenate(self._exact_rows(ts), axis=1)
 

@@ -75,10 +75,7 @@ class JointRings:
         points = set(self.points(frame).tolist())
         split = np.split(frame, self.starts[1:])
         found = [(k, k) for k, ring in enumerate(split) if k not in points and _crosses_itself(ring)]
-        drawn = [
-            shapely.Point(ring[0]) if k in points else shapely.LinearRing(ring)
-            for k, ring in enumerate(split)
-        ]
+        drawn = [_drawn(ring) for ring in split]
         first, second = shapely.STRtree(drawn).query(drawn, predicate="intersects").tolist()
         pairs = sorted((i, j) for i, j in zip(first, second, strict=True) if i < j)
         return [*found, *((i, j) for i, j in pairs if not self._may_touch[i, j])]
@@ -126,13 +123,14 @@ def _crosses_itself(ring: Floats) -> bool:
 
 def _meeting(parts: Sequence[PartPair]) -> Iterator[tuple[int, int]]:
     """Give the parts whose rings meet in the source or the target."""
-    ends = [[_drawn(part.rings(rows)) for rows in part.ends] for part in parts]
+    ends = [
+        [shapely.union_all([_drawn(ring) for ring in part.rings(rows)]) for rows in part.ends]
+        for part in parts
+    ]
     for one, two in combinations(range(len(parts)), 2):
         if shapely.intersects(ends[one], ends[two]).any():
             yield one, two
 
 
-def _drawn(rings: list[Floats]) -> shapely.Geometry:
-    return shapely.union_all(
-        [shapely.LinearRing(ring) if np.ptp(ring, axis=0).any() else shapely.Point(ring[0]) for ring in rings]
-    )
+def _drawn(ring: Floats) -> shapely.Geometry:
+    return shapely.LinearRing(ring) if np.ptp(ring, axis=0).any() else shapely.Point(ring[0])

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from starskel.arrays import Flags, Floats
 from starskel.blending.frames import checked_times, with_exact_ends
+from starskel.blending.pieces import PieceBlend
 from starskel.polar import as_points
 from starskel.shapes.correspondence import ShapeCorrespondence
 from starskel.shapes.meta_skeleton import MetaSkeleton, Tree, meta_skeleton_of
@@ -137,6 +138,10 @@ class ShapeBlend:
         rows = self._exact_rows(times)
         own = [body.part.rings(part) for body, part in zip(self.bodies, rows, strict=True)]
         return [own[body][ring] for body, ring in (self._places[link] for link in self.pair.pairing)]
+
+    def pieces_of(self, body: "Body") -> PieceBlend | None:
+        """Give the blend of a body's star pieces, which go where its frames go; None where there are none."""
+        return body.blend if isinstance(body.blend, PieceBlend) else None
 
     def negative_lengths(self, ts: ArrayLike) -> Flags:
         """Tell at which of the times `ts` the method had to give some edge a negative length."""

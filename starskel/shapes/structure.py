@@ -37,20 +37,19 @@ class Structure:
 def structures_at(blend: Blend | ShapeBlend, t: float) -> Iterator[Structure]:
     """Give the star pieces and skeletons at t of the parts that have them.
 
-    Parts without a partner have none, nor has any by methods that stand on no star pieces. Certified blends
-    show none, since their frames lie between keyframes, where the pieces would be elsewhere.
+    Parts without a partner have none, nor has any by methods that stand on no star pieces or leave these.
     """
     if isinstance(blend, PieceBlend):
         yield Structure(0, blend, blend.points_at(t), blend.skeleton_at(t))
-    if not isinstance(blend, ShapeBlend) or blend.method == "certified":
+    if not isinstance(blend, ShapeBlend):
         return
     rings = blend.at(t)
     for body in blend.bodies:
-        if isinstance(body.blend, PieceBlend):
+        if (pieces := blend.pieces_of(body)) is not None:
             number = blend.pair.pairing.index(body.part.links[0])
-            points, place = body.blend.points_at(t), rings[number][0]
-            skeleton = body.carried(t, body.blend.skeleton_at(t), points[0], place)
-            yield Structure(number, body.blend, body.carried(t, points, points[0], place), skeleton)
+            points, place = pieces.points_at(t), rings[number][0]
+            skeleton = body.carried(t, pieces.skeleton_at(t), points[0], place)
+            yield Structure(number, pieces, body.carried(t, points, points[0], place), skeleton)
 
 
 def tree_at(blend: Blend | ShapeBlend, t: float) -> Floats:
