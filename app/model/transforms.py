@@ -39,6 +39,16 @@ class Box:
     def contains(self, point: Point) -> bool:
         return all(a <= p <= b for a, p, b in zip(self.low, point, self.high, strict=True))
 
+    def meets(self, other: "Box") -> bool:
+        """Tell whether the boxes have a place in common."""
+        ends = zip(self.low, self.high, other.low, other.high, strict=True)
+        return all(low <= end and start <= high for low, high, start, end in ends)
+
+    def nearest(self, point: Point) -> Point:
+        """Give the place in the box that is nearest to a point."""
+        x, y = (min(max(p, a), b) for a, p, b in zip(self.low, point, self.high, strict=True))
+        return x, y
+
     def wider(self, margin: float) -> "Box":
         """Give the box with so much more on each side."""
         (left, low), (right, high) = self.low, self.high

@@ -1,5 +1,7 @@
 """The frame around what is selected, and its handles."""
 
+from collections.abc import Mapping, Sequence
+
 from app.model.point import Point
 from app.model.transforms import Box
 from app.tools.pick import distance
@@ -10,6 +12,9 @@ GAP = 14.0
 
 STALK = 22.0
 """Pixels from the frame to the handle that turns."""
+
+SIGHT = 9.0
+"""Pixels between the handle that turns and the edge of the view, at least."""
 
 TURN = "turn"
 
@@ -26,17 +31,33 @@ CORNERS: dict[str, Point] = {
 """The handles that scale, at these parts of the frame's width and height."""
 
 
-def handle_places(box: Box, pixel: float) -> dict[str, Point]:
+def handle_places(box: Box, pixel: float, view: Box | None = None) -> dict[str, Point]:
     """Give where the handles of a box are, whose pixels have this size in document units."""
     frame = box.wider(GAP * pixel)
     places = {name: frame.at(x, y) for name, (x, y) in CORNERS.items()}
-    x, y = frame.at(0.5, 1)
-    return {**places, TURN: (x, y + STALK * pixel)}
+    (x, low), (_, high), stalk = frame.at(0.5, 0), frame.at(0.5, 1), STALK * pixel
+    stalks = (x, high + stalk), (x, low - stalk), (x, high - stalk)
+    return {**places, TURN: turning_place(stalks, frame, pixel, view)}
+
+
+def turning_place(stalks: Sequence[Point], frame: Box, pixel: float, view: Box | None) -> Point:
+    """Give where the handle that turns is: at the first end of a stalk in sight, or near the first of all.
+
+    Of a frame that is out of sight itself, or where nobody looks, it is at the first.
+    """
+    if view is None or not view.meets(frame):
+        return stalks[0]
+    seen = view.wider(-SIGHT * pixel)
+    return next((place for place in stalks if seen.contains(place)), seen.nearest(stalks[0]))
 
 
 def handle_at(box: Box, pointer: Pointer) -> str:
+    """Give the handle of a box under the pointer, "" where there is none."""
+    return nearest_handle(handle_places(box, pointer.pixel, pointer.view), pointer)
+
+
+def nearest_handle(places: Mapping[str, Point], pointer: Pointer) -> str:
     """Give the handle under the pointer, "" where there is none."""
-    places = handle_places(box, pointer.pixel)
     near = [name for name, place in places.items() if distance(place, pointer.at) <= pointer.radius]
     return min(near, key=lambda name: distance(places[name], pointer.at), default="")
 

@@ -10,9 +10,9 @@ from app.model.marks import Side
 from app.model.point import Point
 from app.model.selection import Selection
 from app.model.texts import QT_TRANSLATE_NOOP
-from app.tools.handles import CORNERS, STALK, TURN
+from app.model.transforms import Box, box_of
+from app.tools.handles import CORNERS, STALK, TURN, nearest_handle, turning_place
 from app.tools.moving import ARROWS, key_turn, key_way, turned_by
-from app.tools.pick import distance
 from app.tools.settings import Snapping
 from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Scene, Tool
 from starskel.files.picture import Picture
@@ -157,13 +157,13 @@ def free_picture(document: Document, side: Side) -> Picture | None:
     return picture if picture is not None and not picture.locked else None
 
 
-def picture_handles(picture: Picture, pixel: float) -> dict[str, Point]:
+def picture_handles(picture: Picture, pixel: float, view: Box | None = None) -> dict[str, Point]:
     """Give where the handles of a picture are, where a pixel has this size in document units."""
     places = {name: placing.place_on(picture, x, y) for name, (x, y) in CORNERS.items()}
-    return {**places, TURN: placing.place_on(picture, 0.5, 1 + STALK * pixel / picture.size[1])}
+    stalk = STALK * pixel / picture.size[1]
+    stalks = [placing.place_on(picture, 0.5, y) for y in (1 + stalk, -stalk, 1 - stalk)]
+    return {**places, TURN: turning_place(stalks, box_of(placing.corners_of(picture)), pixel, view)}
 
 
 def _handle_at(picture: Picture, pointer: Pointer) -> str:
-    places = picture_handles(picture, pointer.pixel)
-    near = [name for name, place in places.items() if distance(place, pointer.at) <= pointer.radius]
-    return min(near, key=lambda name: distance(places[name], pointer.at), default="")
+    return nearest_handle(picture_handles(picture, pointer.pixel, pointer.view), pointer)

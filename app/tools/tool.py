@@ -36,6 +36,8 @@ class Pointer:
         Whether the control key is held: it suspends snapping.
     across : Pointer or None
         Where it is on the other canvas, if it was dragged there from this one.
+    view : Box or None
+        What is seen of the canvas, where that is known.
     """
 
     side: Side
@@ -44,6 +46,7 @@ class Pointer:
     shift: bool = False
     free: bool = False
     across: "Pointer | None" = None
+    view: Box | None = None
 
     @property
     def pixel(self) -> float:

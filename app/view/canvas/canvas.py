@@ -216,7 +216,7 @@ class Canvas(QWidget):
     def pointer_at(self, place: QPointF) -> Pointer:
         """Give a pixel of this canvas as the tools know it."""
         at = self.camera.to_document(place.x(), place.y())
-        return Pointer(self.side, at, PICK / self.camera.scale)
+        return Pointer(self.side, at, PICK / self.camera.scale, view=self.camera.seen)
 
     def _pointer(self, event: QMouseEvent) -> Pointer:
         shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)

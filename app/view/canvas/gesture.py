@@ -90,12 +90,13 @@ class GesturePainter:
     def _paint_frame(self, overlay: Overlay) -> None:
         """Show the frame around what is selected, squares to scale it, a circle on a stalk to turn it."""
         assert overlay.frame is not None
-        places = handle_places(overlay.frame, 1 / self._camera.scale)
+        places = handle_places(overlay.frame, 1 / self._camera.scale, self._camera.seen)
         self._paint_handles(places, overlay.handle, Qt.PenStyle.SolidLine)
 
     def _paint_picture_frame(self, picture: Picture, held: str) -> None:
         """Show the frame of a picture, dashed, with the same handles."""
-        self._paint_handles(picture_handles(picture, 1 / self._camera.scale), held, Qt.PenStyle.DashLine)
+        places = picture_handles(picture, 1 / self._camera.scale, self._camera.seen)
+        self._paint_handles(places, held, Qt.PenStyle.DashLine)
 
     def _paint_handles(self, handles: dict[str, Point], held: str, line: Qt.PenStyle) -> None:
         places = {name: self._place(at) for name, at in handles.items()}
@@ -103,7 +104,9 @@ class GesturePainter:
         self._painter.setBrush(Qt.BrushStyle.NoBrush)
         self._painter.setPen(pen(faded(self._theme.accent, 0.6), 1.0, line))
         self._painter.drawPolygon([places[name] for name in corners])
-        self._painter.drawLine(places["north"], places[TURN])
+        turn = places[TURN]
+        sides = sorted((places["north"], places["south"]), key=lambda side: (side - turn).manhattanLength())
+        self._painter.drawLine(sides[0], turn)
         self._painter.setPen(pen(self._theme.accent, 1.5))
         for name, place in places.items():
             self._painter.setBrush(QColor(self._theme.accent if name == held else self._theme.base))

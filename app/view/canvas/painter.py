@@ -69,8 +69,7 @@ def _paint_grid(stage: Stage) -> None:
     spacing = snapping.spacing
     while spacing * stage.camera.scale < CLOSEST:
         spacing *= 5
-    left, top = stage.camera.to_document(0, 0)
-    right, low = stage.camera.to_document(stage.camera.width, stage.camera.height)
+    (left, low), (right, top) = stage.camera.seen.low, stage.camera.seen.high
     across, upwards = (
         np.arange(np.ceil(a / spacing), b / spacing) * spacing for a, b in ((left, right), (low, top))
     )

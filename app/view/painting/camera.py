@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.model.point import Point
+from app.model.transforms import Box
 from starskel.arrays import Floats
 
 
@@ -39,6 +40,13 @@ class Camera:
             self.centre[0] + (x - self.width / 2) / self.scale,
             self.centre[1] - (y - self.height / 2) / self.scale,
         )
+
+    @property
+    def seen(self) -> Box:
+        """What of the plane is in the view."""
+        left, high = self.to_document(0, 0)
+        right, low = self.to_document(self.width, self.height)
+        return Box((left, low), (right, high))
 
     def resized(self, width: float, height: float) -> "Camera":
         """Show the same place in the middle of a view of another size."""

@@ -42,12 +42,11 @@ class CarriedPictures(QObject):
         if self._carried is not None and self._carried.blend.pair is not carried.blend.pair:
             self._shown = self._image = None  # what is left of an improved blend may stay for a moment
         self._carried = carried
-        left, top = camera.to_document(0, 0)
-        right, bottom = camera.to_document(camera.width, camera.height)
         pixels = round(size.width() * ratio), round(size.height() * ratio)
         looks = enumerate(parts.looks(self._session.document))
         hidden = tuple(number for number, look in looks if not look.visible)
-        wish = Wish(result.method, carried, self._player.t, pixels, (left, bottom, right, top), hidden)
+        seen = camera.seen
+        wish = Wish(result.method, carried, self._player.t, pixels, (*seen.low, *seen.high), hidden)
         self._session.morphs.wish(wish)
 
     @property

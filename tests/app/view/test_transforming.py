@@ -29,7 +29,8 @@ def is_at(driver: Driver, *corners: tuple[float, float], within: float = 2.5) ->
 def handle(driver: Driver, name: str) -> tuple[float, float]:
     frame = driver.session.overlay("source").frame
     assert frame is not None
-    return handle_places(frame, 1 / driver.window.canvases["source"].camera.scale)[name]
+    camera = driver.window.canvases["source"].camera
+    return handle_places(frame, 1 / camera.scale, camera.seen)[name]
 
 
 def drag_handle(driver: Driver, name: str, x: float, y: float) -> None:
@@ -97,6 +98,16 @@ def test_arrow_keys_with_alt_turn_and_scale(square: Driver) -> None:
     square.key(Qt.Key.Key_Z, CONTROL)
     square.key(Qt.Key.Key_Z, CONTROL)
     is_at(square, *SQUARE)
+
+
+def test_a_shape_larger_than_its_canvas_can_be_turned(square: Driver) -> None:
+    canvas = square.window.canvases["source"]
+    canvas.zoom(2)
+    x, y = handle(square, "turn")
+    assert canvas.rect().contains(*map(round, canvas.camera.to_screen(np.array([x, y])).tolist()))
+    drag_handle(square, "turn", 50 - x - (y - 50), 50 - y)
+    assert square.session.undoes == "Turn"
+    np.testing.assert_allclose(square.corners("source"), [[90, 10], [90, 90], [10, 90], [10, 10]], atol=2)
 
 
 def enter(driver: Driver, name: str, text: str) -> None:
