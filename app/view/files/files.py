@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, TypeAlias
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtWidgets import QMainWindow
 
+from app.model.document import Document
 from app.session import Session
 from app.view.asking import accepted
 from app.view.files.dialogs import (
@@ -73,11 +74,12 @@ class Files(QObject):
     ) -> None:
         super().__init__(window)
         self._importing = importing
-        importing.opened.connect(remember_file)
+        importing.begun.connect(self._begin)
         self._window = window
         self._session = session
         self._player = player
         self._display = display
+        self._left: Document | None = None  # what was open when a drawing was read, which may make way for it
         self._folder = Path.cwd()  # where the last file was, so that the next one is looked for there
 
     @property
@@ -112,6 +114,7 @@ class Files(QObject):
         """Open a project, a pair of a file of pairs, or a drawing; where that fails, what is open stays."""
         self._folder = path.absolute().parent
         if path.suffix.lower() in ENDINGS:
+            self._left = self._session.document
             self._importing.read(Aim(path, anew=True))
             return
         try:
@@ -157,6 +160,13 @@ class Files(QObject):
         if path is not None:
             self._folder = path.parent
             self.exported.emit(path)
+
+    @Slot(object, object)
+    def _begin(self, project: Project, path: Path) -> None:
+        """Edit what was read of a drawing; what was done while it was read is lost only if that is wished."""
+        if self._session.document is self._left or self.may_go():
+            self._session.show_project(project)
+            remember_file(path)
 
     def _open_pair(self, file: AnyFile) -> None:
         chosen: str | None = file.ids[0]

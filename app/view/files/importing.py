@@ -60,8 +60,8 @@ class Importing(QObject):
 
     told = Signal(str)
     """What there is to say of what was imported."""
-    opened = Signal(object)
-    """The path of a file whose shapes began a new document."""
+    begun = Signal(object, object)
+    """A Project of shapes that are to be a new document, and the path of their file."""
 
     def __init__(self, window: QWidget, session: Session, canvases: Mapping[Side, Canvas]) -> None:
         super().__init__(window)
@@ -150,8 +150,7 @@ class Importing(QObject):
             title = self._aim.path.stem
             begun = verb(Scene(Document(title, methods=USUAL_METHODS), Selection("source")))
             if begun.commit is not None:
-                self._session.show_project(project_of(begun.commit.document, title))
-                self.opened.emit(self._aim.path)
+                self.begun.emit(project_of(begun.commit.document, title), self._aim.path)
         else:
             self._session.edit(verb)
             for side in shapes:

@@ -3,6 +3,7 @@
 import shutil
 from collections.abc import Callable
 from pathlib import Path
+from threading import Event
 
 import numpy as np
 import pytest
@@ -15,6 +16,8 @@ from app.model.selection import Selection
 from app.view.files.remembered import recent_files
 from app.view.files.shape_chooser import ShapeChooser, ShapeList
 from app.view.files.word_field import WordField
+from starskel.reading.found import Reading
+from starskel.reading.readers import read_shapes
 from tests.app.driver import CONTROL, SQUARE, TRIANGLE, Driver, name_file
 
 FONT = next(Path("/usr/share/fonts").rglob("DejaVuSans.ttf"), Path("no font"))
@@ -183,6 +186,30 @@ def test_a_drawing_that_is_opened_begins_a_new_document(driver: Driver, tmp_path
     assert not driver.session.unsaved
     assert driver.session.path is None
     assert list(recent_files()) == [tmp_path / "three.svg"]
+
+
+def test_what_is_drawn_while_a_drawing_is_read_is_not_lost(
+    driver: Driver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawn = Event()
+
+    def slowly(path: Path) -> Reading:
+        drawn.wait()
+        return read_shapes(path)
+
+    def stay(dialog: QWidget) -> None:
+        assert isinstance(dialog, QMessageBox)
+        QTest.mouseClick(dialog.button(QMessageBox.StandardButton.Cancel), Qt.MouseButton.LeftButton)
+
+    monkeypatch.setattr("starskel.reading.readers.read_shapes", slowly)
+    driver.in_dialog(lambda dialog: name_file(dialog, "heart.svg"))
+    driver.key(Qt.Key.Key_O, CONTROL)
+    driver.draw("source", SQUARE)
+    asked: list[QWidget] = []
+    driver.in_dialog(lambda dialog: (asked.append(dialog), stay(dialog)))
+    drawn.set()
+    driver.wait(lambda: bool(asked))
+    assert driver.corners("source") == [list(corner) for corner in SQUARE]
 
 
 def test_what_cannot_be_read_is_explained(driver: Driver, tmp_path: Path) -> None:
