@@ -1,6 +1,5 @@
 """Polygon: the one place where rings are checked and oriented."""
 
-from collections.abc import Iterator, Sequence
 from functools import cached_property
 
 import numpy as np
@@ -8,19 +7,14 @@ import shapely
 from numpy.typing import ArrayLike
 
 from starskel.arguments import whole_number
-from starskel.arrays import Floats, Indices, read_only
+from starskel.arrays import Floats, read_only
+from starskel.crossings import first_crossing, meeting_places
 from starskel.errors import InvalidPolygon, told
 from starskel.outline import signed_areas
-from starskel.predicates import LARGEST, ROUNDING, folds_back, orientation, segments_meet
+from starskel.predicates import LARGEST, ROUNDING, orientation
 
 CLEARANCE = 4
 """Roundings of the largest coordinate: so far vertices must stay from edges that they are no end of."""
-
-FEW = 64
-"""So few edges are not counted before they are compared."""
-
-CANDIDATES = 500_000
-"""So many pairs of edges are looked at in one go: a tangle has as many as its edges squared."""
 
 
 class Polygon:
@@ -98,90 +92,6 @@ class Polygon:
         return int(self._order[point])  # turning round is its own inverse
 
 
-def crossing_edges(ring: Floats) -> Indices:
-    """Give the pairs (i, j), i < j, of edges that meet though they should not, as a (k, 2) array.
-
-    Edge i runs from vertex i to the next. Neighbouring edges meet wrongly where one folds back on the other.
-    """
-    return np.concatenate(list(_crossings(ring)))
-
-
-def _crossings(ring: Floats) -> Iterator[Indices]:
-    """Give the same block by block, in order."""
-    n = len(ring)
-    ends = np.roll(ring, -1, axis=0)
-    edges = shapely.linestrings(np.stack([ring, ends], axis=1))
-    tree = shapely.STRtree(edges)
-    spikes = np.flatnonzero(folds_back(np.roll(ring, 1, axis=0), ring, ends))
-    folded = np.sort(np.stack([(spikes - 1) % n, spikes], axis=1), axis=1)
-    for block in edge_blocks(ring, ends):
-        i, j = tree.query(edges[block])
-        i = block[i]
-        apart = (j - i > 1) & (j - i < n - 1)
-        i, j = i[apart], j[apart]
-        meet = segments_meet(ring[i], ends[i], ring[j], ends[j])
-        own = folded[(block[0] <= folded[:, 0]) & (folded[:, 0] <= block[-1])]
-        pairs: Indices = np.concatenate([own, np.stack([i[meet], j[meet]], axis=1)])
-        yield pairs[np.lexsort(pairs.T[::-1])]
-
-
-def edge_blocks(starts: Floats, ends: Floats) -> list[Indices]:
-    """Cut the numbers of the edges where the pairs of overlapping boxes would become too many.
-
-    They are counted from above: boxes that overlap do so in x and in y.
-    """
-    numbers = np.arange(len(starts))
-    if len(starts) ** 2 <= CANDIDATES:
-        return [numbers]
-    low, high = np.minimum(starts, ends), np.maximum(starts, ends)
-    overlaps = np.min(
-        [
-            np.searchsorted(np.sort(low[:, axis]), high[:, axis], "right")
-            - np.searchsorted(np.sort(high[:, axis]), low[:, axis], "left")
-            for axis in (0, 1)
-        ],
-        axis=0,
-    )
-    return np.split(numbers, np.flatnonzero(np.diff(overlaps.cumsum() // CANDIDATES)) + 1)
-
-
-def overlapping_edges(rings: Sequence[Floats], most: int) -> int:
-    """Count the pairs of edges whose boxes overlap, neighbours left out, but not far beyond `most`.
-
-    Of `FEW` edges none are counted: looking at them all is quicker.
-
-    Parameters
-    ----------
-    rings : sequence of (n, 2) arrays
-    most : int
-    """
-    starts = np.concatenate(rings)
-    ends = np.concatenate([np.roll(ring, -1, axis=0) for ring in rings])
-    if len(starts) <= FEW:
-        return 0
-    edges = shapely.linestrings(np.stack([starts, ends], axis=1))
-    tree, twice = shapely.STRtree(edges), -3 * len(edges)  # each meets itself and two neighbours
-    for block in edge_blocks(starts, ends):
-        twice += tree.query(edges[block]).shape[1]
-        if twice > 2 * most:
-            break
-    return max(twice, 0) // 2
-
-
-def meeting_places(ring: Floats, pairs: Indices) -> Floats:
-    """Give where each of the (k, 2) pairs of edges meet, as (k, 2) points; of a common stretch its middle."""
-    edges = shapely.linestrings(np.stack([ring, np.roll(ring, -1, axis=0)], axis=1)[pairs])
-    shared = shapely.intersection(edges[:, 0], edges[:, 1])
-    places: Floats = ring[pairs[:, 1]]  # for those that meet, but not at a point that floats can name
-    places[~shapely.is_empty(shared)] = shapely.get_coordinates(shapely.centroid(shared))
-    return places
-
-
-def crossing_places(ring: Floats) -> Floats:
-    """Give where edges of an (n, 2) ring meet that should not, as (k, 2) points."""
-    return meeting_places(ring, crossing_edges(ring))
-
-
 def _as_rows(points: ArrayLike | shapely.Geometry | Polygon) -> Floats:
     if isinstance(points, Polygon):
         return points.vertices.copy()
@@ -245,17 +155,16 @@ def _check_repeats(rows: Floats) -> None:
 
 
 def _check_simple(rows: Floats) -> None:
-    pairs = next((block for block in _crossings(rows) if len(block)), None)
-    if pairs is None:
+    pair = first_crossing(rows)
+    if pair is None:
         return
-    n = len(rows)
-    i, j = (int(k) for k in pairs[0])
+    n, (i, j) = len(rows), pair
     first, last = np.lexsort(rows.T)[[0, -1]]
     if not orientation(rows[first], rows[last], rows).any():
         raise InvalidPolygon(
             told("all vertices lie on one line: the area is zero"), told("move a vertex off the line")
         )
-    place = _place(meeting_places(rows, pairs[:1])[0])
+    place = _place(meeting_places(rows, np.array([pair]))[0])
     raise InvalidPolygon(
         told(
             "edges {first} and {second} cross or touch at ({x:g}, {y:g})",

@@ -3,8 +3,9 @@
 import numpy as np
 
 from starskel.arrays import Floats, Indices
+from starskel.crossings import crossing_edges
 from starskel.errors import InvalidPolygon
-from starskel.polygon import Polygon, crossing_edges
+from starskel.polygon import Polygon
 
 ATTEMPTS = 20
 """Sets of points tried before a grid is given up as too full."""

@@ -4,7 +4,7 @@ import numpy as np
 import shapely
 
 from starskel.arrays import Floats
-from starskel.polygon import crossing_edges
+from starskel.crossings import crossing_edges
 
 LOOP = 0.3
 """The longest loop that is cut off, as a part of the whole length."""

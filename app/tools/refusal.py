@@ -7,8 +7,8 @@ import numpy as np
 from app.model.marks import Marks, Side
 from app.model.point import Point, as_point
 from starskel.arrays import Floats
+from starskel.crossings import crossing_edges, meeting_places
 from starskel.errors import InvalidMarks, InvalidPolygon, StarskelError
-from starskel.polygon import crossing_edges, meeting_places
 
 Segment = tuple[Point, Point]
 

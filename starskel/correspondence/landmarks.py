@@ -10,10 +10,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.arrays import Complex, Floats, Indices
+from starskel.crossings import crossing_edges
 from starskel.errors import InvalidPolygon
 from starskel.outline import edge_lengths, edge_vectors, turning_angles
 from starskel.points import points_of
-from starskel.polygon import crossing_edges
 from starskel.task import Task
 from starskel.triangulation import triangulate
 

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.arrays import Flags, Floats, Indices
+from starskel.crossings import crossing_edges, meeting_places
 from starskel.decomposition.berths import are_diagonals, berths, reflex_vertices, room, rounding
 from starskel.decomposition.sightlines import Places, sightlines
 from starskel.points import Points
-from starskel.polygon import crossing_edges, meeting_places
 from starskel.rings import Rings
 from starskel.task import Task
 from starskel.triangulation import Triangulation, triangulate_rings

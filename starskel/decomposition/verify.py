@@ -11,10 +11,10 @@ from collections import Counter
 import numpy as np
 
 from starskel.arrays import Floats, Indices
+from starskel.crossings import crossing_edges
 from starskel.decomposition.pieces import Decomposition, edges_of
 from starskel.outline import signed_areas
 from starskel.points import Points, points_of
-from starskel.polygon import crossing_edges
 from starskel.predicates import ROUNDING
 
 

@@ -6,9 +6,10 @@ import numpy as np
 
 from starskel.arrays import Floats
 from starskel.correspondence.marks import Mark, checked_marks
+from starskel.crossings import overlapping_edges
 from starskel.errors import InvalidFile, InvalidMarks, InvalidPolygon, told
 from starskel.limits import EDGES, RING_VERTICES, Tally, check_limit
-from starskel.polygon import Polygon, overlapping_edges
+from starskel.polygon import Polygon
 
 Row = tuple[float, float]
 

@@ -10,9 +10,9 @@ from starskel.arrays import Floats
 from starskel.blending.frames import Blend
 from starskel.blending.pieces import PieceBlend
 from starskel.clearance import clearance
+from starskel.crossings import crossing_places
 from starskel.errors import StarskelError
 from starskel.outline import cross_themselves, edge_lengths, signed_areas
-from starskel.polygon import crossing_places
 from starskel.quality.drift import angle_deviation, length_deviations, linear, roughness
 from starskel.quality.inside import Distortion, Triangles
 from starskel.quality.layers import in_layers

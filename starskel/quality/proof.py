@@ -3,7 +3,7 @@
 from starskel.arrays import Floats
 from starskel.blending.frames import Blend
 from starskel.certificate import first_unsafe, safe
-from starskel.polygon import crossing_edges, crossing_places
+from starskel.crossings import crossing_edges, crossing_places
 from starskel.quality.layers import in_layers
 from starskel.quality.report import Crossing
 from starskel.task import Task

@@ -8,13 +8,14 @@ import numpy as np
 import shapely
 
 from starskel.arrays import Floats, Indices
+from starskel.crossings import edges_of_rings, near_edges, rings_meet
 from starskel.errors import InvalidFile, InvalidPolygon, told
 from starskel.files.shapes import check_edges
 from starskel.limits import CROSSINGS, DRAWING_RINGS, OVERLAPS, Tally
 from starskel.outline import signed_areas
-from starskel.polygon import Polygon, edge_blocks
+from starskel.polygon import Polygon
 from starskel.predicates import LARGEST
-from starskel.shapes.shape import Shape, rings_meet
+from starskel.shapes.shape import Shape
 
 Rule = Literal["nonzero", "evenodd"]
 
@@ -152,10 +153,6 @@ def _polygons(rings: Sequence[Floats]) -> list[Polygon] | None:
         return None
 
 
-def _edges(rings: Sequence[Floats]) -> tuple[Floats, Floats]:
-    return np.concatenate(rings), np.concatenate([np.roll(ring, -1, axis=0) for ring in rings])
-
-
 def _near(rings: Sequence[Floats], tally: Tally) -> Indices:
     """Give the pairs i > j of rings whose boxes overlap, (k, 2)."""
     boxes = shapely.box(*np.array([[*ring.min(axis=0), *ring.max(axis=0)] for ring in rings]).T)
@@ -171,12 +168,8 @@ def _near(rings: Sequence[Floats], tally: Tally) -> Indices:
 
 def check_crossings(rings: Sequence[Floats], tally: Tally) -> None:
     """Refuse tangles, which have as many crossings as their edges squared."""
-    starts, ends = _edges(rings)
-    edges = shapely.linestrings(np.stack([starts, ends], axis=1))
-    tree = shapely.STRtree(edges)
-    for block in edge_blocks(starts, ends):
-        meeting = tree.query(edges[block], predicate="intersects").shape[1]
-        others = max(0, meeting - 3 * len(block))  # each meets itself and two neighbours
+    for block, meeting, _ in near_edges(*edges_of_rings(rings), "intersects"):
+        others = max(0, len(meeting) - 3 * len(block))  # each meets itself and two neighbours
         tally.add(told("crossings"), others // 2, CROSSINGS)
 
 

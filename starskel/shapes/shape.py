@@ -8,11 +8,10 @@ import shapely
 from numpy.typing import NDArray
 
 from starskel.arguments import items, whole_number
-from starskel.arrays import Floats
 from starskel.correspondence import PolygonLike
+from starskel.crossings import rings_meet
 from starskel.errors import InvalidPolygon, told
-from starskel.polygon import Polygon, edge_blocks
-from starskel.predicates import segments_meet
+from starskel.polygon import Polygon
 
 ShapeLike: TypeAlias = Union["Shape", shapely.Geometry, Polygon, Iterable[PolygonLike]]
 Part: TypeAlias = tuple[PolygonLike, Sequence[PolygonLike]]
@@ -197,38 +196,7 @@ def _inside(ring: Polygon, other: Polygon) -> bool:
     """Tell whether a ring lies wholly inside another one, without touching it."""
     if not shapely.contains_xy(shapely.Polygon(other.vertices), *ring.vertices[0]):
         return False
-    return ring.area < other.area and not meet(ring, other)
-
-
-def meet(first: Polygon, second: Polygon) -> bool:
-    """Tell whether two rings cross or touch each other, exactly."""
-    ends = [(ring.vertices, np.roll(ring.vertices, -1, axis=0)) for ring in (first, second)]
-    edges = [shapely.linestrings(np.stack(both, axis=1)) for both in ends]
-    i, j = shapely.STRtree(edges[1]).query(edges[0])
-    return bool(segments_meet(ends[0][0][i], ends[0][1][i], ends[1][0][j], ends[1][1][j]).any())
-
-
-def rings_meet(rings: Sequence[Floats]) -> bool:
-    """Tell whether edges of different rings cross or touch, exactly.
-
-    Parameters
-    ----------
-    rings : sequence of (n, 2) arrays
-    """
-    if len(rings) < 2:
-        return False
-    starts = np.concatenate(rings)
-    ends = np.concatenate([np.roll(ring, -1, axis=0) for ring in rings])
-    owner = np.repeat(np.arange(len(rings)), [len(ring) for ring in rings])
-    edges = shapely.linestrings(np.stack([starts, ends], axis=1))
-    tree = shapely.STRtree(edges)
-    for block in edge_blocks(starts, ends):
-        i, j = tree.query(edges[block])
-        i = block[i]
-        i, j = i[owner[i] < owner[j]], j[owner[i] < owner[j]]
-        if segments_meet(starts[i], ends[i], starts[j], ends[j]).any():
-            return True
-    return False
+    return ring.area < other.area and not rings_meet([ring.vertices, other.vertices])
 
 
 def _check(shape: Shape) -> None:
@@ -273,7 +241,7 @@ def _blame(shape: Shape, outline: int, holes: Sequence[int]) -> None:
 
 def _check_apart(shape: Shape, first: int, second: int) -> None:
     one, two = shape.rings[first], shape.rings[second]
-    if meet(one, two) or _inside(one, two) or _inside(two, one):
+    if rings_meet([one.vertices, two.vertices]) or _inside(one, two) or _inside(two, one):
         raise InvalidPolygon(
             told("rings {first} and {second}, holes of one part, meet", first=first, second=second),
             told("join them to one hole, or move them apart"),

@@ -7,8 +7,8 @@ import numpy as np
 import shapely
 
 from starskel.arrays import Floats
+from starskel.crossings import crossing_places
 from starskel.outline import cross_themselves
-from starskel.polygon import crossing_places
 from starskel.sheet.drawing import Painter
 from starskel.sheet.style import USUAL_PART, PartLook
 from starskel.skeleton import Skeleton

@@ -17,9 +17,10 @@ from starskel.correspondence.alignment import (
     chain_prices,
 )
 from starskel.correspondence.insertion import inserted, merged
+from starskel.crossings import crossing_edges
 from starskel.errors import Cancelled, InvalidMarks, InvalidPolygon
 from starskel.outline import edge_lengths
-from starskel.polygon import Polygon, crossing_edges
+from starskel.polygon import Polygon
 from starskel.task import Task
 from tests.families import blob, related, spiral, subdivided, turned, two_opt
 

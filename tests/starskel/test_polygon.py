@@ -6,8 +6,9 @@ import shapely
 from hypothesis import given
 from hypothesis import strategies as st
 
+from starskel.crossings import crossing_edges
 from starskel.errors import InvalidPolygon
-from starskel.polygon import Polygon, crossing_edges
+from starskel.polygon import Polygon
 from tests.families import comb, two_opt
 
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
@@ -105,7 +106,7 @@ def test_crossings_are_the_same_whatever_the_blocks(monkeypatch):
     whole = crossing_edges(tangle)
     assert len(whole) > 100
     for candidates in (1, 100, 1000):
-        monkeypatch.setattr("starskel.polygon.CANDIDATES", candidates)
+        monkeypatch.setattr("starskel.crossings.CANDIDATES", candidates)
         np.testing.assert_array_equal(crossing_edges(tangle), whole)
 
 

@@ -5,9 +5,10 @@ from hypothesis import strategies as st
 
 import starskel
 from starskel.correspondence.proposal import NEAREST
+from starskel.crossings import crossing_edges
 from starskel.errors import Cancelled, StarskelError
 from starskel.outline import edge_lengths
-from starskel.polygon import Polygon, crossing_edges
+from starskel.polygon import Polygon
 from tests.families import articulated, blob, comb, spiral, subdivided, turned, two_opt
 
 RECTANGLE = np.array([(0.0, 0.0), (5.0, 0.0), (5.0, 2.0), (0.0, 2.0)])

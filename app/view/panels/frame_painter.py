@@ -17,7 +17,7 @@ from app.view.painting.theme import Theme
 from app.view.wording import verdicts
 from starskel import Correspondence
 from starskel.arrays import Floats
-from starskel.polygon import crossing_places
+from starskel.crossings import crossing_places
 from starskel.sheet.style import USUAL_PART, PartLook
 
 STALE = 0.55

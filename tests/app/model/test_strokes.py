@@ -1,7 +1,8 @@
 import numpy as np
 
 from app.model.strokes import closed
-from starskel.polygon import Polygon, crossing_edges
+from starskel.crossings import crossing_edges
+from starskel.polygon import Polygon
 
 
 def test_a_line_whose_ends_cross_is_cut_at_the_crossing() -> None:

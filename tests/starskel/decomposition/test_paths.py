@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 import shapely
 
+from starskel.crossings import crossing_edges
 from starskel.decomposition.paths import bends_between
 from starskel.decomposition.sightlines import Places, sightlines
 from starskel.points import points_of
-from starskel.polygon import crossing_edges
 from starskel.rings import Rings
 from starskel.task import UNWATCHED
 from starskel.triangulation import triangulate

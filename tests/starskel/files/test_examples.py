@@ -1,9 +1,9 @@
 import pytest
 
+from starskel.crossings import crossing_edges
 from starskel.errors import InvalidFile
 from starskel.files.examples import example, example_names
 from starskel.files.multi_pairs import MultiPair
-from starskel.polygon import crossing_edges
 
 
 def test_the_first_example_is_the_arm():

@@ -5,8 +5,8 @@ from functools import cache
 import numpy as np
 import pytest
 
+from starskel.crossings import crossing_edges
 from starskel.outline import turning_angles
-from starskel.polygon import crossing_edges
 from starskel.quality.layers import in_layers
 from tests.families import two_opt
 
