@@ -65,14 +65,15 @@ class Blends(QObject):
         """For each method what there is to show of the step that comes first."""
         return self.steps[self._first]
 
-    def results_of(self, step: int) -> States:
-        """Give for each method what there is to show of any step."""
-        return self.steps[step] if step < len(self.steps) else {}
-
     @property
     def fresh(self) -> tuple[Result, ...]:
         """The blends of the first step as it is now, in the order in which they are shown."""
-        return tuple(state.fresh for state in self.results.values() if state.fresh is not None)
+        return self.fresh_of(self._first)
+
+    def fresh_of(self, step: int) -> tuple[Result, ...]:
+        """Give the blends of any step as it is now."""
+        states = self.steps[step].values() if step < len(self.steps) else ()
+        return tuple(state.fresh for state in states if state.fresh is not None)
 
     @property
     def held(self) -> int:

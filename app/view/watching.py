@@ -85,8 +85,8 @@ class Watching(QObject):
     @Slot()
     def _follow_results(self) -> None:
         document = self._session.document
-        states = self._session.blends.results_of(document.sequence.drawn_step(document.step)).values()
-        self._actions["export"].setEnabled(any(state.fresh is not None for state in states))
+        step = document.sequence.drawn_step(document.step)
+        self._actions["export"].setEnabled(bool(self._session.blends.fresh_of(step)))
 
     @Slot()
     def _fit(self) -> None:

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.view.asking import accepted, asked
+from app.view.files.remembered import last_folder, remember_folder
 from app.view.wording import words
 from starskel.errors import StarskelError
 from starskel.reading.readers import ENDINGS
@@ -38,50 +39,59 @@ class Answer(Enum):
     CANCEL = "cancel"
 
 
-def path_to_open(parent: QWidget, folder: Path) -> Path | None:
-    """Ask for a project or a file of pairs, from a folder on; None where the user thinks better of it."""
-    title = translate("Dialogs", "Open")
+def path_to_open(parent: QWidget) -> Path | None:
+    """Ask for a project, a file of pairs or one with shapes; None where the user thinks better of it."""
     kinds = (
         translate("Dialogs", "All that can be opened ({endings})").format(endings=f"*.json {_shapes()}"),
         translate("Dialogs", "Projects and polygon pairs (*.json)"),
         translate("Dialogs", "Drawings, maps, pictures and fonts ({endings})").format(endings=_shapes()),
         translate("Dialogs", "All files (*)"),
     )
-    path, _ = QFileDialog.getOpenFileName(parent, title, str(folder), ";;".join(kinds))
-    return Path(path) if path else None
+    return _path_to_read(parent, translate("Dialogs", "Open"), kinds)
 
 
-def path_to_import(parent: QWidget, folder: Path) -> Path | None:
-    """Ask for a file with shapes, from a folder on; None where the user thinks better of it."""
+def path_to_import(parent: QWidget) -> Path | None:
+    """Ask for a file with shapes; None where the user thinks better of it."""
     kinds = (
         translate("Dialogs", "Drawings, maps, pictures and fonts ({endings})").format(endings=_shapes()),
         translate("Dialogs", "All files (*)"),
     )
-    title = translate("Dialogs", "Import shapes")
-    path, _ = QFileDialog.getOpenFileName(parent, title, str(folder), ";;".join(kinds))
-    return Path(path) if path else None
+    return _path_to_read(parent, translate("Dialogs", "Import shapes"), kinds)
 
 
 def _shapes() -> str:
     return " ".join(f"*{ending}" for ending in ENDINGS)
 
 
-def picture_to_open(parent: QWidget, folder: Path) -> Path | None:
+def picture_to_open(parent: QWidget) -> Path | None:
     """Ask for a picture to draw over; None where the user thinks better of it."""
     endings = " ".join(f"*.{bytes(kind.data()).decode()}" for kind in QImageReader.supportedImageFormats())
-    title = translate("Dialogs", "Open picture")
     kinds = translate("Dialogs", "Pictures ({endings});;All files (*)").format(endings=endings)
-    path, _ = QFileDialog.getOpenFileName(parent, title, str(folder), kinds)
-    return Path(path) if path else None
+    return _path_to_read(parent, translate("Dialogs", "Open picture"), [kinds])
 
 
-def path_to_save(parent: QWidget, title: str, suggested: Path, endings: Sequence[str]) -> Path | None:
-    """Ask where to write a file; a name without an ending gets the one of the chosen kind.
+def _path_to_read(parent: QWidget, title: str, kinds: Sequence[str]) -> Path | None:
+    """Ask for a file, from where the last one was."""
+    chosen, _ = QFileDialog.getOpenFileName(parent, title, str(last_folder()), ";;".join(kinds))
+    if not chosen:
+        return None
+    path = Path(chosen)
+    remember_folder(path.parent)
+    return path
 
-    The dialog itself must know the ending: it asks before it lets a file be overwritten.
+
+def path_to_save(parent: QWidget, title: str, name: str, endings: Sequence[str]) -> Path | None:
+    """Ask where to write a file, where the last one was at first; None where the user thinks better of it.
+
+    A name without an ending gets the one of the chosen kind. The dialog itself must know the ending: it asks
+    before it lets a file be overwritten.
     """
-    dialog = SaveDialog(parent, title, suggested, endings)
-    return Path(dialog.selectedFiles()[0]) if accepted(dialog) else None
+    dialog = SaveDialog(parent, title, last_folder() / f"{name}{endings[0]}", endings)
+    if not accepted(dialog):
+        return None
+    path = Path(dialog.selectedFiles()[0])
+    remember_folder(path.parent)
+    return path
 
 
 class SaveDialog(QFileDialog):

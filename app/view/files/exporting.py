@@ -21,7 +21,7 @@ from starskel.files.project import letter
 translate = QCoreApplication.translate
 
 
-def export(window: QWidget, session: Session, player: Player, display: Display, file: Path) -> Path | None:
+def export(window: QWidget, session: Session, player: Player, display: Display, name: str) -> Path | None:
     """Ask what to export and where, write it, and give where; None where nothing was written.
 
     Parameters
@@ -30,8 +30,8 @@ def export(window: QWidget, session: Session, player: Player, display: Display, 
         Over which it is asked.
     session, player, display
         What there is to export, and how it is shown.
-    file : Path
-        What it may be called, without the ending.
+    name : str
+        What the file may be called, without the ending.
     """
     number = session.document.sequence.drawn_step(session.document.step)
     shown, whole = stretches(session)[number], whole_sequence(session)
@@ -41,12 +41,12 @@ def export(window: QWidget, session: Session, player: Player, display: Display, 
     choice = dialog.choice
     title = translate("Files", "Export")
     endings = tuple(each.ending for each in FORMATS[choice.layout])
-    path = path_to_save(window, title, file.with_name(f"{file.name}{endings[0]}"), endings)
+    path = path_to_save(window, title, name, endings)
     if path is None or not _may_write(window, path, choice):
         return None
-    name, chosen = session.document.name or file.name, whole if choice.whole else (shown,)
+    film, chosen = session.document.name or name, whole if choice.whole else (shown,)
     waiting = Waiting(translate("Files", "Writing {name}…").format(name=path.name), window)
-    outcome = waiting.wait(lambda task: write_choice(path, name, choice, chosen, task))
+    outcome = waiting.wait(lambda task: write_choice(path, film, choice, chosen, task))
     if outcome is None:
         return None
     if isinstance(outcome.error, StarskelError):
@@ -70,9 +70,7 @@ def stretches(session: Session) -> tuple[Stretch, ...]:
     steps, shapes = session.document.sequence.steps, session.document.sequence.shapes
     return tuple(
         Stretch(
-            tuple(
-                state.fresh for state in session.blends.results_of(number).values() if state.fresh is not None
-            ),
+            session.blends.fresh_of(number),
             step,
             f"{letter(number)}-{letter(number + 1)}" if len(steps) > 1 else "",
             (shapes[number].picture, shapes[number + 1].picture),

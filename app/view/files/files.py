@@ -80,7 +80,6 @@ class Files(QObject):
         self._player = player
         self._display = display
         self._left: Document | None = None  # what was open when a drawing was read, which may make way for it
-        self._folder = Path.cwd()  # where the last file was, so that the next one is looked for there
 
     @property
     def name(self) -> str:
@@ -107,12 +106,11 @@ class Files(QObject):
     @Slot()
     def choose(self) -> None:
         """Ask for a file and open it."""
-        if self.may_go() and (path := path_to_open(self._window, self._folder)) is not None:
+        if self.may_go() and (path := path_to_open(self._window)) is not None:
             self.open(path)
 
     def open(self, path: Path) -> None:
         """Open a project, a pair of a file of pairs, or a drawing; where that fails, what is open stays."""
-        self._folder = path.absolute().parent
         if path.suffix.lower() in ENDINGS:
             self._left = self._session.document
             self._importing.read(Aim(path, anew=True))
@@ -147,18 +145,17 @@ class Files(QObject):
     @Slot()
     def save_as(self) -> bool:
         """Ask for a file and save; True where that was done."""
-        suggested = self._folder / f"{file_name_of(self.name)}{PROJECT_ENDING}"
-        path = path_to_save(self._window, self.tr("Save project"), suggested, [PROJECT_ENDING])
+        name = file_name_of(self.name)
+        path = path_to_save(self._window, self.tr("Save project"), name, [PROJECT_ENDING])
         return path is not None and self._save(path)
 
     @Slot()
     def export(self) -> None:
         """Ask what to export and where, and write it."""
         exporting = import_module("app.view.files.exporting")  # not before, so that the window opens sooner
-        file = self._folder / file_name_of(self.name)
-        path = exporting.export(self._window, self._session, self._player, self._display, file)
+        name = file_name_of(self.name)
+        path = exporting.export(self._window, self._session, self._player, self._display, name)
         if path is not None:
-            self._folder = path.parent
             self.exported.emit(path)
 
     @Slot(object, object)
@@ -191,6 +188,5 @@ class Files(QObject):
         except StarskelError as error:
             elsewhere = ask_for_another_place(self._window, path, error)
             return elsewhere and self.save_as()
-        self._folder = path.parent
         remember_file(path)
         return True

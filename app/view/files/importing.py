@@ -75,7 +75,7 @@ class Importing(QObject):
     @Slot()
     def choose(self) -> None:
         """Ask for a file, and put shapes of it on the canvases."""
-        path = path_to_import(self._window, self._folder())
+        path = path_to_import(self._window)
         if path is not None:
             self.read(Aim(path))
 
@@ -104,9 +104,6 @@ class Importing(QObject):
     def close(self) -> None:
         """End the worker; to be called before the program ends."""
         self._errands.close()
-
-    def _folder(self) -> Path:
-        return Path.cwd() if self._session.path is None else self._session.path.parent
 
     @Slot(object)
     def _take(self, outcome: Outcome) -> None:

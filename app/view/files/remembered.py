@@ -9,6 +9,7 @@ RECENT = 10
 """So many files are remembered."""
 
 _FILES = "files/recent"
+_FOLDER = "files/folder"
 _LAST = "files/last"
 _THEME = "theme"
 _SWITCHES = "switches"
@@ -20,8 +21,9 @@ def recent_files() -> tuple[Path, ...]:
 
 
 def remember_file(path: Path) -> None:
-    """Put a file before all others."""
+    """Put a file before all others, and look for the next one beside it."""
     path = path.absolute()
+    remember_folder(path.parent)
     others = [each for each in _remembered_files() if each != path]
     _write_files([path, *others[: RECENT - 1]])
 
@@ -29,6 +31,17 @@ def remember_file(path: Path) -> None:
 def forget_files() -> None:
     """Remember no file."""
     _write_files([])
+
+
+def last_folder() -> Path:
+    """Give the folder of the file that was chosen last; where there is none, the one the program began in."""
+    kept = str(QSettings().value(_FOLDER, ""))
+    return Path(kept) if kept and Path(kept).is_dir() else Path.cwd()
+
+
+def remember_folder(folder: Path) -> None:
+    """Look for the next file here, of whatever kind it is."""
+    QSettings().setValue(_FOLDER, str(folder.absolute()))
 
 
 def last_file() -> Path | None:

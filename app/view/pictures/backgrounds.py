@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping
 from functools import partial
-from pathlib import Path
 
 from PySide6.QtCore import QMimeData, QObject, Slot
 from PySide6.QtWidgets import QWidget
@@ -49,7 +48,7 @@ class Backgrounds(QObject):
 
     @Slot()
     def _open(self) -> None:
-        path = picture_to_open(self._window, Path.cwd())
+        path = picture_to_open(self._window)
         if path is not None:
             self._put(self._side, partial(read_bytes, path))
 

@@ -21,7 +21,7 @@ QUESTIONS: dict[str, Callable[[QWidget], object]] = {
     "elsewhere": lambda window: dialogs.ask_for_another_place(window, PATH, ERROR),
     "overwrite": lambda window: dialogs.may_overwrite(window, [PATH]),
     "complaint": lambda window: dialogs.complain(window, "heading", ERROR),
-    "save": lambda window: dialogs.path_to_save(window, "Save", PATH, [".json"]),
+    "save": lambda window: dialogs.path_to_save(window, "Save", "a", [".json"]),
 }
 
 COMMANDS = ("export", "find-command", "shortcuts", "about", "part-colour")

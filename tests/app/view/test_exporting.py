@@ -27,12 +27,7 @@ from starskel.easing import Easing
 from starskel.files.examples import example
 from tests.app.driver import CONTROL, Driver, name_file
 
-
-@pytest.fixture(autouse=True)
-def own_dialogs(qapp, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:  # type: ignore[no-untyped-def]
-    """Take Qt's own file dialogs, which can be typed into, not the desktop's; begin in an empty folder."""
-    qapp.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
-    monkeypatch.chdir(tmp_path)
+pytestmark = pytest.mark.usefixtures("own_dialogs")
 
 
 def test_keyframes_are_exported_through_the_dialogs(driver: Driver, tmp_path: Path) -> None:

@@ -1,4 +1,5 @@
 import json
+import shutil
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from PySide6.QtWidgets import (
 from app.model.marks import SIDES
 from app.view.files import exporting, files
 from app.view.files.dialogs import PairDialog, SaveDialog
+from app.view.files.remembered import last_folder
 from app.view.main_window import MainWindow
 from starskel.files.examples import example
 from starskel.files.pairs import ShapePair, write_pairs
@@ -25,12 +27,7 @@ from starskel.files.raster import write_image
 from tests.app.driver import CONTROL, SHIFT, SQUARE, Driver, name_file, type_name
 from tests.starskel.images.drawn import waves
 
-
-@pytest.fixture(autouse=True)
-def own_dialogs(qapp, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:  # type: ignore[no-untyped-def]
-    """Take Qt's own file dialogs, which can be typed into, not the desktop's; begin in an empty folder."""
-    qapp.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
-    monkeypatch.chdir(tmp_path)
+pytestmark = pytest.mark.usefixtures("own_dialogs")
 
 
 def press(kind: QMessageBox.StandardButton):  # type: ignore[no-untyped-def]
@@ -180,6 +177,33 @@ def test_save_as_goes_to_another_file(driver: Driver, tmp_path: Path) -> None:
         driver.key(Qt.Key.Key_S, CONTROL | SHIFT)
         assert (tmp_path / name).exists()
     assert driver.session.path == tmp_path / "two.json"
+
+
+def test_all_dialogs_begin_where_a_file_was_chosen_last(driver: Driver, tmp_path: Path) -> None:
+    folder = tmp_path / "elsewhere"
+    folder.mkdir()
+    seen: list[str] = []
+
+    def look(dialog: QWidget) -> None:
+        assert isinstance(dialog, QFileDialog)
+        seen.append(dialog.directory().absolutePath())
+        dialog.reject()
+
+    driver.draw_both()
+    driver.in_dialog(lambda dialog: name_file(dialog, "elsewhere/boxes"))
+    driver.key(Qt.Key.Key_S, CONTROL)
+    for key, modifiers in (
+        (Qt.Key.Key_I, CONTROL),
+        (Qt.Key.Key_O, CONTROL | SHIFT),
+        (Qt.Key.Key_S, CONTROL | SHIFT),
+        (Qt.Key.Key_O, CONTROL),
+    ):
+        driver.in_dialog(look)
+        driver.key(key, modifiers)
+    assert seen == [str(folder)] * 4
+    assert last_folder() == folder
+    shutil.rmtree(folder)
+    assert last_folder() == tmp_path
 
 
 def test_what_was_typed_counts_though_the_folder_was_not_read_yet(window: MainWindow, tmp_path: Path) -> None:

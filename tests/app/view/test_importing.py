@@ -31,11 +31,11 @@ THREE = """<svg xmlns="http://www.w3.org/2000/svg" width="90" height="90">
 <path id="bow" d="M0 50 L30 80 L30 50 L0 80 Z"/><text>no shape</text></svg>"""
 
 
+pytestmark = pytest.mark.usefixtures("own_dialogs")
+
+
 @pytest.fixture(autouse=True)
-def own_dialogs(qapp: QApplication, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Take Qt's own file dialogs, which can be typed into; begin in an empty folder."""
-    qapp.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
-    monkeypatch.chdir(tmp_path)
+def files_to_import(tmp_path: Path) -> None:
     (tmp_path / "three.svg").write_text(THREE)
     shutil.copy(ICONS / "lucide-heart.svg", tmp_path / "heart.svg")
 

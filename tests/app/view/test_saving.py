@@ -20,12 +20,7 @@ from starskel.files.project_file import read_project, write_project
 from tests.app.driver import CONTROL, SQUARE, Driver, name_file
 from tests.disks import filled, read_only, small_disk
 
-
-@pytest.fixture(autouse=True)
-def own_dialogs(qapp, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:  # type: ignore[no-untyped-def]
-    """Take Qt's own file dialogs, which can be typed into, not the desktop's; begin in an empty folder."""
-    qapp.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
-    monkeypatch.chdir(tmp_path)
+pytestmark = pytest.mark.usefixtures("own_dialogs")
 
 
 def click(dialog: QWidget, text: str) -> None:

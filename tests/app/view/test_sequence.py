@@ -83,7 +83,7 @@ def test_a_third_shape_is_added_drawn_and_blended(driver: Driver) -> None:
     driver.wait_for_blends()
     assert len(driver.document.sequence.steps) == 2
     for step in (0, 1):
-        states = driver.session.blends.results_of(step).values()
+        states = driver.session.blends.steps[step].values()
         assert all(state.result is not None and not state.stale for state in states)
 
 
@@ -174,11 +174,11 @@ def test_marks_that_cannot_be_kept_are_told(film: Driver) -> None:
 
 
 def test_an_edit_of_a_step_computes_only_the_steps_that_it_touches(film: Driver) -> None:
-    untouched = film.session.blends.results_of(2)["vertex"].result
+    untouched = film.session.blends.steps[2]["vertex"].result
     film.key(Qt.Key.Key_S)
     film.drag("source", (90, 90), (80, 80))
     film.wait_for_blends()
-    assert film.session.blends.results_of(2)["vertex"].result is untouched
+    assert film.session.blends.steps[2]["vertex"].result is untouched
 
 
 def test_undo_goes_to_the_step_where_the_edit_was(film: Driver) -> None:
