@@ -87,6 +87,7 @@ class ShapeFigures(msgspec.Struct, frozen=True):
     area_deviation: float
     length_deviation: float
     overlap: float
+    how: str | None
     areas: list[float]
     area_deviations: list[float]
     length_deviations: list[float]
@@ -108,6 +109,7 @@ class ShapeFigures(msgspec.Struct, frozen=True):
             area_deviation=report.area_deviation,
             length_deviation=report.length_deviation,
             overlap=report.overlap,
+            how=report.how,
             areas=report.areas.tolist(),
             area_deviations=report.area_deviations.tolist(),
             length_deviations=report.length_deviations.tolist(),

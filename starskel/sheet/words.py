@@ -21,11 +21,12 @@ def kind_of(report: "Report | ShapeReport") -> Kind:
 
 def verdict(report: "Report | ShapeReport") -> str:
     """Say whether the blend is simple, or when it crosses itself or holes stray."""
-    if report.of == "shape":
-        return _shape_verdict(report)
     if report.simple:
         known = f"proven, {report.how}" if report.how else "simple, proven"
         return known if report.proven else "simple"
+    if report.of == "shape":
+        times = spans(report.times.tolist(), report.crossing_frames)
+        return f"{'crosses' if report.crosses.any() else 'holes stray'} at t = {times}"
     if report.natural:
         return f"natural crossing at t = {crossing_words(report)}"
     natural = f", natural in {counted(len(report.natural_frames), 'frame')}" if report.natural_frames else ""
@@ -76,13 +77,6 @@ def overlap_words(report: "Report | ShapeReport") -> tuple[str, ...]:
     if report.of == "polygon" or report.overlap <= _NO_OVERLAP:
         return ()
     return (f"parts overlap by {percent(report.overlap)}",)
-
-
-def _shape_verdict(report: "ShapeReport") -> str:
-    if report.simple:
-        return "simple, proven" if report.proven else "simple"
-    times = spans(report.times.tolist(), report.crossing_frames)
-    return f"{'crosses' if report.crosses.any() else 'holes stray'} at t = {times}"
 
 
 def spans(times: Sequence[float], frames: Sequence[int]) -> str:

@@ -115,6 +115,7 @@ def test_shapes_are_measured_ring_by_ring_and_parts_beside_each_other(capsys):
     report = starskel.measure(blend, 5)
     assert figures["rings"] == len(pair.pairing)
     assert (figures["simple"], figures["proven"], figures["holes_inside"]) == (True, True, True)
+    assert figures["how"] == report.how
     assert figures["areas"] == report.areas.tolist()
     assert figures["area_deviation"] == report.area_deviation
 

@@ -6,6 +6,7 @@ import pytest
 from starskel.files.examples import example
 from starskel.quality import Crossing, measure
 from starskel.shapes.blend import blend
+from starskel.shapes.shape import Shape
 from starskel.sheet.words import crossing_counts, figures, percent, spans, verdict
 
 SQUARE = np.array([[0, 0], [4, 0], [4, 4], [0, 4]], dtype=float)
@@ -38,6 +39,12 @@ def test_a_simple_blend_is_called_so():
     assert verdict(report) == crossing_counts(report) == "simple, proven"
     assert figures(report) == ("area drift 0.0 %", "length drift 0.0 %")
     assert verdict(measure(blend(SQUARE, SQUARE + 7, method="edge-angle"))) == "simple"
+
+
+@pytest.mark.parametrize("kind", [np.array, lambda ring: Shape([ring])])
+def test_a_certified_blend_tells_how_it_came_about(kind):
+    report = measure(blend(kind(SQUARE), kind(SQUARE + 7), method="certified"), 5)
+    assert verdict(report) == crossing_counts(report) == "proven, as stitched"
 
 
 def report_of(*crossings):
