@@ -14,10 +14,11 @@ from starskel.errors import InvalidFile, StarskelError
 from starskel.files import multi_pairs, pairs, project_file
 from starskel.files.disk import read_bytes
 from starskel.files.documents import format_of
+from starskel.files.pair_file import IMAGE_PAIRS
 from starskel.files.project import AnyPair
 from starskel.reading.readers import ENDINGS
 
-_KNOWN = (pairs.FORMAT, multi_pairs.FORMAT, project_file.FORMAT)
+_KNOWN = (pairs.FORMAT, multi_pairs.FORMAT, IMAGE_PAIRS, project_file.FORMAT)
 
 
 @dataclass(frozen=True)

@@ -21,6 +21,7 @@ from starskel.command.batches.journal import FORMAT, Journal, Terms
 from starskel.command.batches.work import PackedJob
 from starskel.errors import InvalidFile
 from starskel.files.pairs import ShapePair, write_pairs
+from starskel.files.raster import write_image
 from starskel.polygon import Polygon
 
 WORDS = ["--methods", "vertex", "--frames", "11"]
@@ -67,6 +68,17 @@ def test_every_pair_of_a_folder_is_measured_as_the_library_does():
         assert figures["area_deviation"] == report.area_deviation
         assert figures["simple"] == report.simple
     assert "3 pairs, 0 failures" in Path("out/index.html").read_text()
+
+
+def test_a_file_of_pairs_of_pictures_is_found_in_a_folder_like_any_other():
+    Path("in").mkdir()
+    write_image(Path("in") / "dot.png", np.full((9, 9, 4), 255, dtype=np.uint8))
+    side = {"image": "dot.png", "outline": [[1, 1], [8, 1], [8, 8], [1, 8]]}
+    document = {"format": "image-pairs/1", "pairs": [{"id": "dot", "p": side, "q": side}]}
+    (Path("in") / "pictures.json").write_text(json.dumps(document))
+    (job,) = jobs_of(Path("in"))
+    assert job.key == "pictures.json#dot"
+    assert len(job.load().source) == 4
 
 
 def test_what_is_finished_is_not_done_again_and_a_broken_line_is(capsys):
