@@ -28,11 +28,14 @@ DRAWING_LETTERS = 3_000_000
 """Letters of the attributes and style sheets of an SVG file that say what is drawn, those included that `use`
 repeats; those of transforms count for each element that they move."""
 
-DRAWING_NUMBERS = 100_000
+DRAWING_NUMBERS = 140_000
 """Numbers and commands of the paths of an SVG file."""
 
-DRAWING_VALUES = 300_000
-"""Values of a GeoJSON file, words of a WKT file."""
+DRAWING_VALUES = 750_000
+"""Values of a GeoJSON file, words of a WKT file: a vertex counts three in GeoJSON."""
+
+DRAWING_VERTICES = 250_000
+"""Vertices, and brackets, of a WKT file."""
 
 DRAWING_SHAPES = 2_000
 """Geometries of a WKT file, features of a GeoJSON file, elements, subpaths and rules of an SVG file, those
@@ -66,8 +69,14 @@ two take some 30 bytes."""
 PICTURE_BYTES = 200_000_000
 """A file of a picture."""
 
-PICTURE_PIXELS = 25_000_000
-"""Pixels of a picture that is read, or of all frames: some formats take 16 bytes for each."""
+PICTURE_PIXELS = 26_000_000
+"""Pixels of a picture in memory: larger ones are read at a half, a third, ... of their size."""
+
+WHOLE_PIXELS = 52_000_000
+"""Pixels of a picture that is decoded whole before it is made smaller."""
+
+JPEG_PIXELS = 104_000_000
+"""Pixels of a picture that can be decoded smaller."""
 
 DRAWN_PIXELS = 50_000_000
 """Pixels of a picture that is written."""

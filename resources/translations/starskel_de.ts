@@ -500,6 +500,10 @@
         <translation>zeichnen Sie sie mit deutlicheren Lücken</translation>
     </message>
     <message>
+        <source>a ring</source>
+        <translation>ein Ring</translation>
+    </message>
+    <message>
         <source>a part beyond all numbers was left out</source>
         <translation>ein Teil jenseits aller Zahlen wurde weggelassen</translation>
     </message>

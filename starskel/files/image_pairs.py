@@ -15,7 +15,7 @@ from starskel.files.pair_file import IMAGE_PAIRS, PairFile
 from starskel.files.pairs import ShapePair
 from starskel.files.picture import Picture
 from starskel.files.project import Project, letter
-from starskel.files.raster import image_of
+from starskel.files.raster import decoded, image_of
 from starskel.files.shapes import Row, marked_shapes, polygon_of
 from starskel.images.placed import PlacedImage
 from starskel.limits import PICTURE_BYTES, Tally
@@ -93,9 +93,9 @@ def _checked(path: Path, entry: _Entry) -> ImagePair:
 def _side(path: Path, side: _Side, where: str) -> tuple[PlacedImage, Polygon, bytes]:
     beside = _beside(path, side.image, where)
     content = read_bytes(beside, PICTURE_BYTES)
-    picture = PlacedImage(image_of(content, str(beside)))
-    rows = picture.to_document(side.outline).tolist() if side.outline else []
-    return picture, polygon_of(rows, where, Tally(where)), content
+    found = decoded(content, str(beside))
+    rows = [(x, found.size[1] - y) for x, y in side.outline]
+    return found.placed, polygon_of(rows, where, Tally(where)), content
 
 
 def _beside(path: Path, name: str, where: str) -> Path:
@@ -121,8 +121,8 @@ def _outside(name: str, where: str) -> InvalidFile:
 
 
 def _picture(image: PlacedImage, content: bytes) -> Picture:
-    height, width = image.pixels.shape[:2]
-    return Picture(content, (width / 2, height / 2), (float(width), float(height)))
+    right, up = image.to_document((image.pixels.shape[1], 0)).tolist()
+    return Picture(content, (right / 2, up / 2), (right, up))
 
 
 def picture_of(path: Path, project: Project, shape: int) -> PlacedImage | None:

@@ -6,15 +6,25 @@ import re
 import struct
 import warnings
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import count
 from pathlib import Path
 
 import numpy as np
-from PIL import Image, ImageOps, ImageSequence, UnidentifiedImageError
+from PIL import Image, ImageOps, UnidentifiedImageError
 
 from starskel.errors import InvalidFile, either, told
 from starskel.files.disk import read_bytes, write_bytes
-from starskel.images.placed import Pixels
-from starskel.limits import MOVING_PIXELS, PICTURE_BYTES, PICTURE_PIXELS, PICTURE_SIDE, check_limit
+from starskel.images.placed import Pixels, PlacedImage
+from starskel.limits import (
+    JPEG_PIXELS,
+    MOVING_PIXELS,
+    PICTURE_BYTES,
+    PICTURE_PIXELS,
+    PICTURE_SIDE,
+    WHOLE_PIXELS,
+    check_limit,
+)
 
 FORMATS = ("PNG", "JPEG", "GIF", "WEBP", "BMP")
 """What is read."""
@@ -25,6 +35,14 @@ MOVING = (".gif", ".apng", ".webp")
 _FAULTS = (OSError, ValueError, SyntaxError, EOFError, TypeError, KeyError, IndexError, struct.error)
 """What Pillow raises on damaged files."""
 
+_MOST = {"WEBP": PICTURE_PIXELS, "JPEG": JPEG_PIXELS}
+"""Pixels of pictures of other kinds than most: WebP takes 16 bytes for each, JPEG can be decoded smaller."""
+
+_ORIENTATION = 0x0112
+"""The number under which files say how the camera was held."""
+
+_ON_ITS_SIDE = (5, 6, 7, 8)
+
 _STRIP = 256
 """Rows that are converted at a time."""
 
@@ -32,8 +50,32 @@ _OPAQUE = 128
 """From this alpha on a pixel of a GIF is opaque: GIF knows nothing between."""
 
 
+@dataclass(frozen=True, eq=False)
+class Decoded:
+    """A picture of a file.
+
+    Attributes
+    ----------
+    pixels : (h, w, 4) array of uint8
+        With straight alpha; of pictures of more than `PICTURE_PIXELS` at a half, a third, ... of their size.
+    size : (int, int)
+        Its width and height in the file, as it is to be seen.
+    """
+
+    pixels: Pixels
+    size: tuple[int, int]
+
+    @property
+    def placed(self) -> PlacedImage:
+        """The picture where a pixel of the file is a unit, and its lower left corner the origin."""
+        width, height = self.size
+        if self.pixels.shape[:2] == (height, width):
+            return PlacedImage(self.pixels)
+        return PlacedImage.in_box(self.pixels, (width / 2, height / 2), (width, height))
+
+
 def read_image(path: Path) -> Pixels:
-    """Read a picture, (h, w, 4) with straight alpha; of moving ones the first frame.
+    """Read a picture, (h, w, 4) with straight alpha; of moving ones the first frame; large ones smaller.
 
     Raises
     ------
@@ -45,6 +87,23 @@ def read_image(path: Path) -> Pixels:
 
 def image_of(content: bytes, name: str = "the picture") -> Pixels:
     """Give the picture that a file of this content holds, as `read_image` does.
+
+    Parameters
+    ----------
+    content : bytes
+    name : str
+        What errors call it.
+
+    Raises
+    ------
+    InvalidFile
+        If it is no picture of a kind that is known, is damaged, or exceeds a limit.
+    """
+    return decoded(content, name).pixels
+
+
+def decoded(content: bytes, name: str = "the picture") -> Decoded:
+    """Give the picture that a file of this content holds, and how large it is there.
 
     Parameters
     ----------
@@ -70,13 +129,10 @@ def image_of(content: bytes, name: str = "the picture") -> Pixels:
         raise _too_large(name, _told_size(error)) from None
     except _FAULTS as error:
         raise _damaged(name, error) from error
-    width, height = image.size
-    if width * height > PICTURE_PIXELS or max(width, height) > PICTURE_SIDE:
-        raise _too_large(name, told("{width} × {height}", width=width, height=height))
+    _check_size(name, image)
     try:
         with _quiet():
-            ImageOps.exif_transpose(image, in_place=True)
-            return _pixels(image)
+            return _decoded(image)
     except _FAULTS as error:
         raise _damaged(name, error) from error
 
@@ -151,43 +207,6 @@ def animation_of(ending: str, frames: Iterable[Pixels], durations: Sequence[floa
     return stream.getvalue()
 
 
-def read_animation(path: Path) -> tuple[list[Pixels], list[float]]:
-    """Read all frames of a moving picture, and how long each is seen, in seconds.
-
-    Raises
-    ------
-    InvalidFile
-        As by `read_image`; all frames together are held to the limit of pixels.
-    """
-    content = read_bytes(path, PICTURE_BYTES)
-    image_of(content, str(path))
-    try:
-        with _quiet(), Image.open(io.BytesIO(content), formats=FORMATS) as image:
-            count = getattr(image, "n_frames", 1)
-            pictures = [
-                (_pixels(frame), frame.info.get("duration", 0) / 1000)
-                for frame in _fitting(image, count, path)
-            ]
-    except InvalidFile:
-        raise
-    except Image.DecompressionBombError as error:
-        raise _too_large(str(path), _told_size(error)) from None
-    except _FAULTS as error:
-        raise _damaged(str(path), error) from error
-    return [frame for frame, _ in pictures], [duration for _, duration in pictures]
-
-
-def _fitting(image: Image.Image, count: int, path: Path) -> Iterator[Image.Image]:
-    """Give the frames; each can be larger than those before it."""
-    for frame in ImageSequence.Iterator(image):
-        if count * frame.width * frame.height > PICTURE_PIXELS:
-            size = told(
-                "{count} times {width} × {height}", count=count, width=frame.width, height=frame.height
-            )
-            raise _too_large(str(path), size)
-        yield frame
-
-
 @contextlib.contextmanager
 def _quiet() -> Iterator[None]:
     """Take no warnings of Pillow: sizes are held to limits here, and what is damaged is told or mended."""
@@ -196,13 +215,44 @@ def _quiet() -> Iterator[None]:
         yield
 
 
-def _pixels(image: Image.Image) -> Pixels:
-    """Give the pixels, strip by strip: Pillow takes several copies of what it converts."""
-    pixels = np.empty((image.height, image.width, 4), dtype=np.uint8)
+def _check_size(name: str, image: Image.Image) -> None:
+    width, height = image.size
+    most = _MOST.get(image.format or "", WHOLE_PIXELS)
+    if image.format == "JPEG" and image.info.get("progressive"):
+        most = WHOLE_PIXELS
+    if width * height > most or max(width, height) > PICTURE_SIDE:
+        raise _too_large(name, told("{width} × {height}", width=width, height=height), most)
+
+
+def _decoded(image: Image.Image) -> Decoded:
+    """Decode a picture; a large one is reduced before it is turned, so that fewer copies are large."""
+    size, turned = image.size, image.getexif().get(_ORIENTATION, 1)
+    parts = next(k for k in count(1) if -(-size[0] // k) * -(-size[1] // k) <= PICTURE_PIXELS)
+    image.draft(None, (-(-size[0] // parts), -(-size[1] // parts)))  # JPEG is decoded at this size or twice
+    left = next(k for k in count(1) if -(-image.width // k) * -(-image.height // k) <= PICTURE_PIXELS)
+    if left > 1:
+        image = Image.fromarray(_pixels(image, left))
+        image.getexif()[_ORIENTATION] = turned
+    ImageOps.exif_transpose(image, in_place=True)
+    return Decoded(_pixels(image), size[::-1] if turned in _ON_ITS_SIDE else size)
+
+
+def _pixels(image: Image.Image, parts: int = 1) -> Pixels:
+    """Give the pixels, strip by strip: Pillow takes several copies of what it converts.
+
+    Parameters
+    ----------
+    image : Image
+    parts : int
+        So many by so many pixels become one, their mean.
+    """
+    pixels = np.empty((-(-image.height // parts), -(-image.width // parts), 4), dtype=np.uint8)
     image.load()
-    for top in range(0, image.height, _STRIP):
-        bottom = min(top + _STRIP, image.height)
-        pixels[top:bottom] = _strip(image.crop((0, top, image.width, bottom)))
+    rows = _STRIP * parts
+    for top in range(0, image.height, rows):
+        strip = _strip(image.crop((0, top, image.width, min(top + rows, image.height))))
+        small = strip if parts == 1 else np.asarray(Image.fromarray(strip).reduce(parts))
+        pixels[top // parts : top // parts + len(small)] = small
     return pixels
 
 
@@ -240,10 +290,10 @@ def _whole(durations: Sequence[float], unit: int) -> list[int]:
     return [int(step) for step in np.maximum(np.diff(ends, prepend=0), unit)]
 
 
-def _too_large(name: str, size: str) -> InvalidFile:
+def _too_large(name: str, size: str, most: int = WHOLE_PIXELS) -> InvalidFile:
     return InvalidFile(
         told("{name} has too many pixels: {size}", name=name, size=size),
-        told("scale it down to at most {most} pixels, {side} a side", most=PICTURE_PIXELS, side=PICTURE_SIDE),
+        told("scale it down to at most {most} pixels, {side} a side", most=most, side=PICTURE_SIDE),
     )
 
 

@@ -11,7 +11,7 @@ from starskel.arrays import Floats, Indices
 from starskel.crossings import edges_of_rings, near_edges, rings_meet
 from starskel.errors import InvalidFile, InvalidPolygon, told
 from starskel.files.shapes import check_edges
-from starskel.limits import CROSSINGS, DRAWING_RINGS, OVERLAPS, Tally
+from starskel.limits import CROSSINGS, DRAWING_RINGS, OVERLAPS, RING_VERTICES, Tally, check_limit
 from starskel.outline import signed_areas
 from starskel.polygon import Polygon
 from starskel.predicates import LARGEST
@@ -56,8 +56,7 @@ def shape_of_rings(rings: Sequence[Floats], rule: Rule, tally: Tally) -> tuple[S
     kept = [cleaned for ring in rings if (cleaned := _cleaned(ring, repairs)) is not None]
     if not kept:
         return None
-    tally.add(told("rings"), len(kept), DRAWING_RINGS)
-    check_edges(kept, tally)
+    _check_sizes(kept, tally)
     polygons = _polygons(kept)
     if polygons is None or rings_meet(kept):
         check_crossings(kept, tally)
@@ -90,8 +89,7 @@ def shape_of_geometry(
     """
     told_already = list(repairs)
     rings = [shapely.get_coordinates(ring)[:-1] for ring in _rings(geometry)]
-    tally.add(told("rings"), len(rings), DRAWING_RINGS)
-    check_edges(rings, tally)
+    _check_sizes(rings, tally)
     if not shapely.is_valid(geometry):
         check_crossings(rings, tally)
         reason = shapely.is_valid_reason(geometry).replace("[", " at (").replace("]", ")")
@@ -110,6 +108,12 @@ def shape_of_geometry(
             moved = [told("parts of it touched and were moved apart")] if apart else []
             return Shape(parted), (*told_already, *moved)
     raise InvalidFile(told("a shape touches itself in too many places"), told("draw it with clearer gaps"))
+
+
+def _check_sizes(rings: Sequence[Floats], tally: Tally) -> None:
+    check_limit(told("a ring"), told("vertices"), max(map(len, rings), default=0), RING_VERTICES)
+    tally.add(told("rings"), len(rings), DRAWING_RINGS)
+    check_edges(rings, tally)
 
 
 def _rings(geometry: shapely.Geometry) -> list[shapely.LinearRing]:

@@ -1,8 +1,7 @@
 """Pictures in: silhouettes of what is opaque, or dark on a light ground, or light on a dark one."""
 
 from starskel.errors import InvalidFile, StarskelError, told
-from starskel.files.raster import image_of
-from starskel.images.placed import PlacedImage
+from starskel.files.raster import decoded
 from starskel.images.tracing import By, trace, usual
 from starskel.reading.found import Found, Reading
 from starskel.reading.wanted import Wanted
@@ -25,7 +24,7 @@ def read(content: bytes, wanted: Wanted) -> Reading:
     InvalidFile
         If it is no picture, damaged or too large, or nothing stands out in it.
     """
-    picture = PlacedImage(image_of(content))
+    picture = decoded(content).placed
     tolerance = max(_LEAST, wanted.tolerance * max(picture.pixels.shape))
     try:
         shape = trace(picture, tolerance=tolerance, parts="all")

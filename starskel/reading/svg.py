@@ -117,7 +117,9 @@ def _found(element: svgelements.Shape, number: int, tolerance: float, tally: Tal
     filled, stroked = _painted(element.fill), _painted(element.stroke)
     if element.values.get("visibility") == "hidden" or not (filled or stroked):
         return
-    path = svgelements.Path(element).reify()
+    path = svgelements.Path(element)
+    if not path.transform.is_identity():  # of some elements it is left when the file is read
+        path.reify()
     lines, reach = lines_of(path, tolerance)
     made = _fill(element, lines, tally) if filled else _stroke(element, lines, reach, tally)
     if made is not None:

@@ -12,7 +12,7 @@ from starskel.limits import (
     DRAWING_BYTES,
     DRAWING_SHAPES,
     DRAWING_VALUES,
-    RING_VERTICES,
+    DRAWING_VERTICES,
     Tally,
     check_limit,
 )
@@ -66,8 +66,8 @@ def read(content: bytes, wanted: Wanted) -> Reading:
 def _geometries(content: bytes) -> list[str]:
     """Cut the text where geometries begin outside of all brackets."""
     check_limit(told("the WKT"), told("bytes"), len(content), DRAWING_BYTES)
-    check_limit(told("the WKT"), told("vertices"), content.count(b","), RING_VERTICES)
-    check_limit(told("the WKT"), told("brackets"), content.count(b"("), RING_VERTICES)
+    check_limit(told("the WKT"), told("vertices"), content.count(b","), DRAWING_VERTICES)
+    check_limit(told("the WKT"), told("brackets"), content.count(b"("), DRAWING_VERTICES)
     begins = _begins(content)
     texts = [content[begin:end] for begin, end in pairwise([*begins, len(content)])]
     geometries = [text for text in texts if not text.upper().startswith(_SYSTEM)]

@@ -11,7 +11,7 @@ import sys
 
 import atheris
 
-_WATCHED = ["starskel", "app", "svgelements", "defusedxml"]
+_WATCHED = ["starskel", "app", "svgelements", "defusedxml", "PIL"]
 
 with atheris.instrument_imports(include=_WATCHED):
     from tests.fuzzing.bounds import BYTES, LAST, SECONDS, Bounded

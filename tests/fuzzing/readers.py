@@ -25,7 +25,7 @@ from starskel.files.pairs import read_pairs
 from starskel.files.picture import Picture
 from starskel.files.project import Project
 from starskel.files.project_file import project_content, read_project
-from starskel.files.raster import image_of, png_of, read_animation
+from starskel.files.raster import image_of, png_of
 from starskel.files.step import Link, Step
 from starskel.polygon import Polygon
 from starskel.reading.readers import read_content
@@ -173,7 +173,7 @@ def _pictures() -> list[bytes]:
     opaque = image.convert("RGB")
     kinds = {"PNG": image, "JPEG": opaque, "GIF": opaque.convert("P"), "WEBP": image, "BMP": opaque}
     deep = _saved(Image.fromarray(np.asarray(opaque.convert("L"), dtype=np.uint16) * 257), "PNG")
-    return [deep, *(_saved(picture, kind) for kind, picture in kinds.items())]
+    return [deep, *(_saved(picture, kind) for kind, picture in kinds.items()), *_moving()]
 
 
 def _moving() -> list[bytes]:
@@ -207,7 +207,6 @@ READERS = {
         Reader("font", _fonts, partial(read_content, path=Path("input.ttf"))),
         Reader("silhouette", _pictures, partial(read_content, path=Path("input.png"))),
         Reader("picture", _pictures, image_of),
-        Reader("animation", _moving, partial(_from_file, read_animation)),
     )
 }
 """By their names."""

@@ -10,7 +10,8 @@ from PIL import Image
 
 from starskel.errors import InvalidFile
 from starskel.files import raster
-from starskel.files.raster import image_of, read_animation, read_image, write_animation, write_image
+from starskel.files.raster import image_of, read_image, write_animation, write_image
+from tests.starskel.files.moving import read_animation
 from tests.starskel.images.drawn import noise, waves
 
 
@@ -95,10 +96,10 @@ def png_of_size(width, height):
 
 
 @pytest.mark.parametrize(
-    "size", [(100_000, 100_000), (100_000, 1), (16_000, 16_000), (10_000, 9_000), (8_000, 7_000)]
+    "size", [(100_000, 100_000), (100_000, 1), (16_000, 16_000), (10_000, 9_000), (8_000, 6_501)]
 )
 def test_pictures_with_too_many_pixels_are_refused_before_memory_is_taken(size):
-    with pytest.raises(InvalidFile, match=r"too many pixels.*at most 25000000 pixels, 16384 a side"):
+    with pytest.raises(InvalidFile, match=r"too many pixels.*at most 52000000 pixels, 16384 a side"):
         image_of(png_of_size(*size))
 
 
@@ -108,12 +109,52 @@ def test_too_large_files_are_refused(monkeypatch):
         image_of(bytes(101))
 
 
-def test_moving_pictures_are_held_to_the_limit_as_a_whole(tmp_path, monkeypatch):
-    path = tmp_path / "morph.gif"
-    write_animation(path, [waves(20, 20, k) for k in range(5)], [0.1] * 5)
-    monkeypatch.setattr(raster, "PICTURE_PIXELS", 1000)
-    with pytest.raises(InvalidFile, match="too many pixels: 5 times 20 × 20"):
-        read_animation(path)
+@pytest.mark.parametrize(("most", "parts"), [(1200, 1), (1199, 2), (300, 2), (299, 3), (80, 4), (1, 40)])
+@pytest.mark.parametrize("kind", ["PNG", "BMP", "GIF"])
+def test_large_pictures_are_read_smaller(kind, most, parts, monkeypatch):
+    file = content(waves(40, 30)[..., :3], kind)
+    whole = image_of(file)
+    monkeypatch.setattr(raster, "PICTURE_PIXELS", most)
+    found = raster.decoded(file)
+    assert found.size == (40, 30)
+    assert np.array_equal(found.pixels, np.asarray(Image.fromarray(whole).reduce(parts)))
+    height, width = found.pixels.shape[:2]
+    assert np.allclose(found.placed.to_document([(0, 0), (width, height)]), [(0, 30), (40, 0)])
+
+
+@pytest.mark.parametrize(("most", "parts"), [(300, 2), (80, 4), (20, 8)])
+def test_photographs_are_decoded_smaller(most, parts, monkeypatch):
+    file = content(waves(40, 32)[..., :3], "JPEG")
+    whole = image_of(file)
+    monkeypatch.setattr(raster, "PICTURE_PIXELS", most * 32 // 30)
+    found = raster.decoded(file)
+    expected = np.asarray(Image.fromarray(whole).reduce(parts)).astype(int)
+    assert found.size == (40, 32)
+    assert found.pixels.shape == expected.shape
+    assert np.abs(found.pixels - expected).mean() < 2
+
+
+def test_a_large_picture_taken_sideways_stands_upright(monkeypatch):
+    pixels = waves(40, 20)[..., :3]
+    exif = Image.Exif()
+    exif[0x0112] = 6
+    whole = raster.decoded(content(pixels, "PNG", exif=exif))
+    monkeypatch.setattr(raster, "PICTURE_PIXELS", 200)
+    found = raster.decoded(content(pixels, "PNG", exif=exif))
+    assert found.size == whole.size == (20, 40)
+    assert np.array_equal(found.pixels, np.asarray(Image.fromarray(whole.pixels).reduce(2)))
+
+
+@pytest.mark.parametrize(
+    ("kind", "options", "most"),
+    [("WEBP", {}, 100), ("JPEG", {"progressive": True}, 300), ("JPEG", {}, 500), ("PNG", {}, 300)],
+)
+def test_how_large_a_picture_may_be_depends_on_what_decoding_takes(kind, options, most, monkeypatch):
+    monkeypatch.setattr(raster, "WHOLE_PIXELS", 300)
+    monkeypatch.setattr(raster, "_MOST", {"WEBP": 100, "JPEG": 500})
+    image_of(content(np.zeros((1, most, 3), dtype=np.uint8), kind, **options))
+    with pytest.raises(InvalidFile, match=f"too many pixels: {most + 1} × 1; .*at most {most} pixels"):
+        image_of(content(np.zeros((1, most + 1, 3), dtype=np.uint8), kind, **options))
 
 
 @pytest.mark.parametrize("kind", ["PNG", "JPEG", "GIF", "WEBP", "BMP"])

@@ -42,7 +42,7 @@ POINTS_OF_A_MAP = b'{"type":"FeatureCollection","features":[' + b",".join([POINT
         ("<g>" * 50_000 + PATH + "</g>" * 50_000, "nested too deeply"),
         (PATH * 11_000, "has 11002 elements and subpaths; give a file with at most 2000"),
         (PATH * 200_000, "tags; give a file with at most 500000"),
-        (f'<path d="M0 0{"h1" * 160_000}"/>', "has 100001 numbers; give a file with at most 100000"),
+        (f'<path d="M0 0{"h1" * 160_000}"/>', "has 140001 numbers; give a file with at most 140000"),
         (f'<path d="M{TANGLE}Z"/>', "crossings; give a file with at most 5000"),
         (STROKED, "crossings; give a file with at most 5000"),
         (f'<path d="M0 0{"l1 1" * 900_000}"/>', "36[0-9]+ letters; give a file with at most 3000000"),
@@ -96,16 +96,21 @@ def test_an_unknown_encoding_is_a_damaged_file(in_little_memory: Call) -> None:
             "a.wkt",
             "nested brackets; give a file with at most",
         ),
-        (b"POLYGON((" + b"1 1," * 200_000, "a.wkt", "200000 vertices; give a file with at most 100000"),
+        (b"POLYGON((" + b"1 1," * 300_000, "a.wkt", "300000 vertices; give a file with at most 250000"),
+        (
+            b"POLYGON((" + b",".join(b"%d %d" % (k, k * k) for k in range(100_002)) + b",0 0))",
+            "a.wkt",
+            "a ring has [0-9]+ vertices; give a file with at most 100000",
+        ),
         (b'{"type":["Polygon"]}', "a.geojson", "damaged"),
         (b'{"type":"FeatureCollection","features":7}', "a.geojson", "damaged"),
-        (b'{"type":"FeatureCollection","features":[' + b"0," * 400_000, "a.geojson", "values; give a file"),
+        (b'{"type":"FeatureCollection","features":[' + b"0," * 800_000, "a.geojson", "values; give a file"),
         (b"A" * 14_000_000, "a.wkt", "is no WKT"),
         (b" " * 14_000_000, "a.wkt", "is no WKT"),
         (b"POINT (1 1)) " * 9, "a.wkt", "is no WKT|damaged"),
-        (b"EMPTY " * 400_000, "a.wkt", "300001 words; give a file with at most 300000"),
+        (b"EMPTY " * 800_000, "a.wkt", "750001 words; give a file with at most 750000"),
         (b"POINT (1 1)\n" * 2001, "a.wkt", "2001 shapes; give a file with at most 2000"),
-        (b"()" * 100_001, "a.wkt", "100001 brackets; give a file with at most 100000"),
+        (b"()" * 250_001, "a.wkt", "250001 brackets; give a file with at most 250000"),
         (b"GEOMETRYCOLLECTION (CIRCULARSTRING (0 0, 1 1, 2 0))", "a.wkt", "holds no shape"),
         (BOW.encode() * 900, "a.wkt", "the file has [0-9]+ crossings; give a file with at most 5000"),
         (
@@ -115,7 +120,7 @@ def test_an_unknown_encoding_is_a_damaged_file(in_little_memory: Call) -> None:
         ),
         (POINTS_OF_A_MAP, "a.geojson", "2001 shapes; give a file with at most 2000"),
     ],
-    ids=[str(k) for k in range(15)],
+    ids=[str(k) for k in range(16)],
 )
 def test_maps_beyond_a_limit_or_of_other_things_are_refused(
     content: bytes, path: str, why: str, in_little_memory: Call
