@@ -9,6 +9,7 @@ import numpy as np
 
 from starskel.arrays import Complex, Flags, Floats
 from starskel.decomposition.kernel import star_points, star_vertices
+from starskel.decomposition.links import Links, links_of
 from starskel.decomposition.pieces import Around, Piece
 from starskel.points import Points
 from starskel.rings import Rings
@@ -47,6 +48,8 @@ class Board:
         self.collapses: dict[Around, list[list[Piece]]] = {}
         self._common: dict[Piece, bool] = {}
         self._kernels: dict[Piece, bool] = {}
+        self._grounds: dict[tuple[Piece, ...], Grounds] = {}
+        self._links: dict[tuple[Piece, ...], Links] = {}
 
     def __len__(self) -> int:
         return len(self.sides[0].coordinates)
@@ -103,11 +106,21 @@ class Board:
 
     def triangulated(self, cells: Sequence[Piece], task: Task) -> Grounds:
         """Triangulate cells in both polygons; that takes long where they are large."""
-        rings = Rings.of(cells)
-        task.reach(0)
-        source = triangulate_rings(self.sides[0], rings)
-        task.reach(0)
-        return source, triangulate_rings(self.sides[1], rings)
+        key = tuple(cells)
+        if key not in self._grounds:
+            rings = Rings.of(cells)
+            task.reach(0)
+            source = triangulate_rings(self.sides[0], rings)
+            task.reach(0)
+            self._grounds[key] = source, triangulate_rings(self.sides[1], rings)
+        return self._grounds[key]
+
+    def links(self, cells: Sequence[Piece], task: Task) -> Links:
+        """Give what both polygons allow within cells."""
+        key = tuple(cells)
+        if key not in self._links:
+            self._links[key] = links_of(*self.triangulated(cells, task), task)
+        return self._links[key]
 
 
 def handfuls(rings: Iterable[Piece], most: int, work: Callable[[Piece], int]) -> Iterator[list[Piece]]:

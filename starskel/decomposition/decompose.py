@@ -11,7 +11,6 @@ from starskel.decomposition.board import Board
 from starskel.decomposition.canonical import Reading, canonical
 from starskel.decomposition.kernel import star_points, star_vertices
 from starskel.decomposition.ladder import by_fan, climb
-from starskel.decomposition.links import links_of
 from starskel.decomposition.minimal import minimal_pieces
 from starskel.decomposition.pieces import Decomposition, Piece
 from starskel.decomposition.reduce import reduce
@@ -110,7 +109,7 @@ def _minimal(board: Board, whole: Piece, steiner: bool, task: Task) -> list[Piec
     if board.are_stars([whole], task.quiet)[0]:  # the tables would take O(n^3) to end with no fewer
         return [whole]
     _check_size(board)
-    pieces = _fewest(board, whole, task.part(0, 0.5))
+    pieces = minimal_pieces(board.links([whole], task.quiet), task.part(0, 0.5))
     if pieces is not None:
         return pieces
     if not steiner:
@@ -152,11 +151,6 @@ def _polished(board: Board, pieces: list[Piece], task: Task) -> list[Piece]:
     pieces = shaped(board, pieces, task.quiet)
     (pieces,) = reduce(board, [pieces], task)
     return pieces
-
-
-def _fewest(board: Board, whole: Piece, task: Task) -> list[Piece] | None:
-    grounds = board.triangulated([whole], task.quiet)
-    return minimal_pieces(links_of(*grounds, task.quiet), task)
 
 
 def _finished(

@@ -16,7 +16,6 @@ from itertools import chain
 import numpy as np
 
 from starskel.decomposition.board import TABLED_AT_ONCE, Board, handfuls
-from starskel.decomposition.links import links_of
 from starskel.decomposition.minimal import least_stuck_cells
 from starskel.decomposition.overlay import overlay
 from starskel.decomposition.pieces import Piece, cost
@@ -49,8 +48,7 @@ def _cut(board: Board, cells: Sequence[Piece], task: Task) -> list[_Cut]:
     parts = {cell: [cell] for cell in cells}
     waiting = {cell for cell, star in zip(cells, stars, strict=True) if not star}
     for handful in handfuls(waiting, TABLED_AT_ONCE, len):
-        links = links_of(*board.triangulated(handful, task), task)
-        parts.update(zip(handful, least_stuck_cells(links, task), strict=True))
+        parts.update(zip(handful, least_stuck_cells(board.links(handful, task), task), strict=True))
     every = list(chain.from_iterable(parts.values()))
     is_star = dict(zip(every, board.are_stars(every, task), strict=True))
     return [

@@ -10,7 +10,7 @@ import numpy as np
 
 from starskel.decomposition.board import AT_ONCE, Board
 from starskel.decomposition.collapse import collapses
-from starskel.decomposition.pieces import Around, Piece, edges_of, from_least
+from starskel.decomposition.pieces import Around, Piece, chain_after, edges_of, from_least
 from starskel.rings import blocks
 from starskel.task import Task
 
@@ -103,6 +103,9 @@ def _neighbouring(board: Board, pieces: Iterable[Piece]) -> list[tuple[Piece, Pi
 
 def union(first: Piece, second: Piece) -> Piece | None:
     """Give the ring round two neighbours, None where they enclose something or touch twice."""
+    common = set(first).intersection(second)
+    if len(common) == 2:  # so it is nearly always: they touch along one edge
+        return _across_edge(first, second, *common)
     edges = edges_of(first) + edges_of(second)
     inner = set(edges) & {(b, a) for a, b in edges}
     outer = [edge for edge in edges if edge not in inner]
@@ -113,3 +116,10 @@ def union(first: Piece, second: Piece) -> Piece | None:
     while (following := onward[ring[-1]]) != ring[0]:
         ring.append(following)
     return from_least(tuple(ring)) if len(ring) == len(outer) else None
+
+
+def _across_edge(first: Piece, second: Piece, a: int, b: int) -> Piece:
+    """Give the ring round two pieces that have the ends of an edge in common, and no other vertices."""
+    if chain_after(first, a)[0] != b:
+        a, b = b, a
+    return from_least(chain_after(first, a) + chain_after(second, b))
