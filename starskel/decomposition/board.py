@@ -3,12 +3,13 @@
 Points are only ever added, so what has been found out about a ring stays true.
 """
 
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
 import numpy as np
 
 from starskel.arrays import Complex, Flags, Floats
-from starskel.decomposition.kernel import star_points, star_vertices
+from starskel.decomposition.kernel import are_seen_from, star_points, star_vertices
 from starskel.decomposition.links import Links, links_of
 from starskel.decomposition.pieces import Around, Piece
 from starskel.points import Points
@@ -36,9 +37,11 @@ class Board:
     sides : list of Points
         The points of the source and of the target.
     unions : dict
-        The rings round two neighbours, where that is known; None where they enclose something.
+        The rings round two neighbours, where that is known; None where that is no star piece.
     collapses : dict
         What may take the place of the pieces round a Steiner vertex, where that is known.
+    in_vain : dict
+        With which vertices chains make no rings with kernels, where that is known.
     """
 
     def __init__(self, source: Points, target: Points) -> None:
@@ -46,6 +49,7 @@ class Board:
         self.sides = [source, target]
         self.unions: dict[tuple[Piece, Piece], Piece | None] = {}
         self.collapses: dict[Around, list[list[Piece]]] = {}
+        self.in_vain: defaultdict[Piece, set[int]] = defaultdict(set)
         self._common: dict[Piece, bool] = {}
         self._kernels: dict[Piece, bool] = {}
         self._grounds: dict[tuple[Piece, ...], Grounds] = {}
@@ -93,16 +97,23 @@ class Board:
 
     def have_kernels(self, pieces: Sequence[Piece], task: Task) -> list[bool]:
         """Tell which rings of vertices are simple, counter-clockwise and have kernels with an inside."""
-
-        def find(pieces: list[Piece]) -> Flags:
-            areas = [areas for _, areas in star_points(self.sides, Rings.of(pieces), task.quiet)]
-            return np.minimum(*areas) > 0
-
         unknown = {piece for piece in pieces if piece not in self._kernels}
         for part in handfuls(unknown, AT_ONCE, len):
             task.quiet.reach(0)
-            self._kernels.update(zip(part, find(part).tolist(), strict=True))
+            self._kernels.update(dict.fromkeys(part, False))
+            left = part
+            for side in self.sides:  # in the second polygon only what has kernels in the first
+                ((_, areas),) = star_points([side], Rings.of(left), task.quiet)
+                self._common.update((left[k], False) for k in np.flatnonzero(areas < 0).tolist())
+                left = [left[k] for k in np.flatnonzero(areas > 0).tolist()]
+            self._kernels.update(dict.fromkeys(left, True))
         return [self._kernels[piece] for piece in pieces]
+
+    def note_kernels(self, pieces: Sequence[Piece], places: Sequence[Floats]) -> None:
+        """Remember that rings have kernels where (k, 2) places in each polygon prove that, exactly."""
+        if len(pieces):
+            seen = are_seen_from(self.sides, Rings.of(pieces), places)
+            self._kernels.update((piece, True) for piece, proven in zip(pieces, seen, strict=True) if proven)
 
     def triangulated(self, cells: Sequence[Piece], task: Task) -> Grounds:
         """Triangulate cells in both polygons; that takes long where they are large."""

@@ -1,4 +1,4 @@
-"""Convex cells, many at a time, and what is left of them to the left of lines."""
+"""Convex cells, many at a time, and what is left of them to the left of a line each."""
 
 from dataclasses import dataclass
 from typing import TypeVar
@@ -7,13 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from starskel.arrays import Complex, Floats, Indices
-from starskel.rings import Rings, ranges
-from starskel.task import UNWATCHED, Task
+from starskel.rings import ranges
 
 Entry = TypeVar("Entry", bound=np.generic)
-
-_AT_ONCE = 64
-"""Lines that cells are cut along between two questions whether to stop."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,57 +87,6 @@ def boxes(places: Complex, first: Indices) -> Convex:
     low, high = np.minimum.reduceat(places.imag, first), np.maximum.reduceat(places.imag, first)
     corners = np.stack([left, low, right, low, right, high, left, high], axis=1).ravel()
     return Convex(corners.view(np.complex128), np.full(len(first), 4))
-
-
-def cut_along(
-    cells: Convex, lines: tuple[Complex, Complex], first: Indices, counts: Indices, task: Task = UNWATCHED
-) -> Convex:
-    """Keep of each cell the part to the left of all its lines: so many, from a first one on."""
-    start, end = lines
-    order = np.argsort(-counts, kind="stable")  # those that are done are the last
-    first, counts = first[order], counts[order]
-    cells, done = cells.chosen(order), []
-    for step in range(int(counts.max(initial=0))):
-        if step % _AT_ONCE == 0:
-            task.reach(0)
-        going = int(np.searchsorted(-counts, -step))
-        if going < len(cells.size):
-            corners = int(cells.size[:going].sum())
-            done.append(Convex(cells.corners[corners:], cells.size[going:]))
-            cells = Convex(cells.corners[:corners], cells.size[:going])
-        if not len(cells.corners):
-            break
-        line = first[:going] + step
-        cells = cells.left_of(start[line], end[line])
-    parts = [cells, *done[::-1]]
-    together = Convex(np.concatenate([p.corners for p in parts]), np.concatenate([p.size for p in parts]))
-    return together.chosen(np.argsort(order))
-
-
-def kernels_of_chains(ends: Complex, chains: Rings, owner: Indices, task: Task = UNWATCHED) -> Convex:
-    """Give what lies to the left of all links of chains, in the boxes round all chains of their owners.
-
-    Parameters
-    ----------
-    ends : (s, h) complex array
-        The vertices of the chains on so many sides.
-    chains : Rings
-        They are not closed.
-    owner : (k,) array of int
-        Whose the chains are, in rising order.
-
-    Returns
-    -------
-    s k cells, side by side.
-    """
-    sides, h = ends.shape
-    shift = h * np.arange(sides)[:, None]
-    first = (chains.first + shift).ravel()
-    foremost = (chains.first[np.searchsorted(owner, np.arange(owner[-1] + 1))] + shift).ravel()
-    box = (owner + (owner[-1] + 1) * np.arange(sides)[:, None]).ravel()
-    links = ends.ravel(), np.roll(ends, -1, axis=1).ravel()
-    counts = np.tile(chains.counts - 1, sides)
-    return cut_along(boxes(ends.ravel(), foremost).chosen(box), links, first, counts, task)
 
 
 def _next(entries: NDArray[Entry], first: Indices, last: Indices) -> NDArray[Entry]:

@@ -1,8 +1,7 @@
 """Steiner vertices that may collapse into a neighbour: all pieces round them stay simple and star-shaped.
 
-Of the kernels of all rings that might come of it most are empty. They are cut in floating point first: once
-along what stays of a piece, then for each neighbour along the two edges that change. Only what has an inside
-then is looked at exactly.
+Of the kernels of all rings that might come of it most are empty. They are looked for in floating point first;
+only what has an inside then is looked at exactly.
 """
 
 from collections.abc import Iterable, Sequence
@@ -10,9 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from starskel.arrays import Indices
+from starskel.arrays import Flags, Indices
 from starskel.decomposition.board import Board
-from starskel.decomposition.clipping import kernels_of_chains
+from starskel.decomposition.half_planes import Lines, left_of_all
 from starskel.decomposition.pieces import Around, Piece, chain_after, from_least
 from starskel.rings import Rings, ranges
 from starskel.task import Task
@@ -30,8 +29,8 @@ class _Collapse:
 def collapses(board: Board, stars: Sequence[Around], task: Task) -> dict[Around, list[list[Piece]]]:
     """Give for each vertex the pieces that may take the place of those round it, collapse by collapse."""
     chains = [chain_after(piece, vertex) for vertex, pieces in stars for piece in pieces]
-    moves = list(_untorn(stars, chains))
-    moves = _possible(board, stars, chains, moves, task)
+    moves = list(_untorn(board, stars, chains))
+    moves = _possible(board, chains, moves, task)
     after = [_after(move, chains) for move in moves]
     rings = [ring for shrunk in after for ring in shrunk]
     proven = dict(zip(rings, board.have_kernels(rings, task), strict=True))
@@ -42,52 +41,72 @@ def collapses(board: Board, stars: Sequence[Around], task: Task) -> dict[Around,
     return found
 
 
-def _untorn(stars: Sequence[Around], chains: Sequence[Piece]) -> Iterable[_Collapse]:
-    """Give the collapses after which no piece touches itself."""
+def _untorn(board: Board, stars: Sequence[Around], chains: Sequence[Piece]) -> Iterable[_Collapse]:
+    """Give the collapses after which no piece touches itself, but for those known to be in vain."""
     begun = 0
     for at, (_, pieces) in enumerate(stars):
         around = range(begun, begun + len(pieces))
         begun = around.stop
-        inner = {v for k in around for v in chains[k][1:-1]}
-        for neighbour in sorted({end for k in around for end in (chains[k][0], chains[k][-1])} - inner):
+        near = [chains[k] for k in around]
+        ends = {end for chain in near for end in (chain[0], chain[-1])}
+        for neighbour in sorted(
+            ends.difference(*(c[1:-1] for c in near), *map(board.in_vain.__getitem__, near))
+        ):
             yield _Collapse(at, neighbour, around)
 
 
-def _possible(
-    board: Board, stars: Sequence[Around], chains: Sequence[Piece], moves: list[_Collapse], task: Task
-) -> list[_Collapse]:
-    """Give the collapses after which all kernels of both polygons have an inside, but for rounding."""
+def _possible(board: Board, chains: Sequence[Piece], moves: list[_Collapse], task: Task) -> list[_Collapse]:
+    """Give the collapses after which all kernels of both polygons have an inside, but for rounding.
+
+    The middles of these kernels prove most of them.
+    """
     if not moves:
         return moves
     rings = Rings.of(chains)
-    owner = np.repeat(np.arange(len(stars)), [len(pieces) for _, pieces in stars])
-    cells = kernels_of_chains(board.at[:, rings.rows], rings, owner, task)
-    chain, place, move = _meetings(moves)
-    first, last = rings.rows[rings.first[chain]], rings.rows[rings.last[chain]]
-    apart = (first != place) & (last != place)
-    start, end, onto = (board.at[:, rows] for rows in (first, last, place))
-    cells = cells.chosen(np.concatenate([chain, chain + len(chains)]))
-    cells = cells.left_of(end.ravel(), np.where(apart, onto, start).ravel())
-    cells = cells.left_of(np.where(apart, onto, end).ravel(), start.ravel())
-    gone = ~apart & (rings.counts[chain] == 2)
-    wrong = (cells.size == 0).reshape(2, -1).any(axis=0) & ~gone
-    possible = np.bincount(move[wrong], minlength=len(moves)) == 0
-    return [moves[k] for k in np.flatnonzero(possible).tolist()]
+    meetings, middles = _meetings(moves), np.empty((0, sum(len(m.chains) for m in moves)), complex)
+    for at in board.at:  # in the second polygon only what is possible in the first
+        chain, place, move = meetings
+        kernels = left_of_all(Lines.round(_closed(rings, chain, place), at), task)
+        wrong = (kernels.size == 0) & ~_vanish(rings, chain, place)
+        for k, vertex in meetings[:2, wrong].T.tolist():
+            board.in_vain[chains[k]].add(vertex)
+        possible = np.bincount(move[wrong], minlength=len(moves))[move] == 0
+        meetings = meetings[:, possible]
+        middles = np.concatenate([middles, kernels.measured()[0][None]])[:, possible]
+    chain, place, move = meetings
+    left = ~_vanish(rings, chain, place)
+    shrunk = [_shrunk(chains[c], p) for c, p in meetings[:2, left].T.tolist()]
+    board.note_kernels(shrunk, [middle[left, None].view(np.float64) for middle in middles])
+    return [moves[k] for k in np.unique(move).tolist()]
 
 
-def _meetings(moves: list[_Collapse]) -> tuple[Indices, Indices, Indices]:
+def _meetings(moves: list[_Collapse]) -> Indices:
     """Give for each collapse its chains: the chain, the vertex that closes it to a ring, the collapse."""
     first, counts, neighbours = np.array([(m.chains.start, len(m.chains), m.neighbour) for m in moves]).T
     move, chain = ranges(first, counts)
-    return chain, neighbours[move], move
+    return np.stack([chain, neighbours[move], move])
+
+
+def _vanish(chains: Rings, chain: Indices, place: Indices) -> Flags:
+    """Tell of which chains nothing is left: links that begin or end where they are to be closed."""
+    ends = chains.rows[chains.first[chain]], chains.rows[chains.last[chain]]
+    vanish: Flags = (chains.counts[chain] == 2) & ((ends[0] == place) | (ends[1] == place))
+    return vanish
+
+
+def _closed(chains: Rings, chain: Indices, place: Indices) -> Rings:
+    """Close some of the chains to rings, by a vertex each, which may stand there twice."""
+    counts = chains.counts[chain]
+    _, vertex = ranges(chains.first[chain], counts)
+    return Rings(np.insert(chains.rows[vertex], np.cumsum(counts) - counts, place), counts + 1)
 
 
 def _after(move: _Collapse, chains: Sequence[Piece]) -> list[Piece]:
     """Give what is left of the pieces: triangles at the neighbour vanish."""
-    rings = []
-    for chain in chains[move.chains.start : move.chains.stop]:
-        if move.neighbour not in {chain[0], chain[-1]}:
-            rings.append(from_least((move.neighbour, *chain)))
-        elif len(chain) > 2:
-            rings.append(from_least(chain))
-    return rings
+    left = [_shrunk(chain, move.neighbour) for chain in chains[move.chains.start : move.chains.stop]]
+    return [ring for ring in left if len(ring) > 2]
+
+
+def _shrunk(chain: Piece, vertex: int) -> Piece:
+    """Close a chain by a vertex, which may be one of its ends."""
+    return from_least(chain if vertex in {chain[0], chain[-1]} else (vertex, *chain))

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from starskel.arrays import Flags, Floats, Indices
-from starskel.decomposition.clipping import boxes, cut_along
+from starskel.arrays import Flags, Floats
+from starskel.decomposition.half_planes import Lines, left_of_all
 from starskel.points import Points
 from starskel.rings import Rings, ranges
 from starskel.task import UNWATCHED, Task
@@ -44,31 +44,37 @@ def star_points(sides: Sequence[Points], rings: Rings, task: Task = UNWATCHED) -
 
     Exact predicates prove that the centroid is strictly to the left of all edges, and that the ring goes
     round it once. So the ring is simple, counter-clockwise and seen whole from there. Where that cannot be
-    proven the area is 0, also where a kernel is too thin for floats to name a point in it.
+    proven the area is 0, also where a kernel is too thin for floats to name a point in it. It is below 0
+    where the kernel is empty, and not by rounding alone.
 
     Returns
     -------
     list of (k, 2) and (k,) arrays, for each side
     """
-    if not len(rings.counts):
-        return [(np.empty((0, 2)), np.empty(0)) for _ in sides]
-    vertices = rings.rows
-    corners = [  # others bound nothing
-        points.orientation(vertices[rings.preceding], vertices, vertices[rings.following]) != 0
-        for points in sides
-    ]
-    cut = _kernels(
-        np.concatenate(
-            [side.coordinates[vertices[corner]] for side, corner in zip(sides, corners, strict=True)]
-        ),
-        np.concatenate([np.bincount(rings.owner[corner], minlength=len(rings.counts)) for corner in corners]),
-        task,
-    )
-    found = zip(*(np.split(part, len(sides)) for part in cut), strict=True)
-    return [
-        (places, np.where(_round_once(points, rings, places), areas, 0.0))
-        for points, (places, areas) in zip(sides, found, strict=True)
-    ]
+    return [_star_points(points, rings, task) for points in sides]
+
+
+def _star_points(points: Points, rings: Rings, task: Task) -> tuple[Floats, Floats]:
+    lines = Lines.round(rings, points.coordinates.view(np.complex128)[:, 0])
+    kernels = left_of_all(lines, task)
+    centroids, areas = kernels.measured()
+    areas[kernels.size == 0] = -1
+    places = centroids[:, None].view(np.float64)
+    some = areas > 0
+    proven = _round_once(points, Rings(rings.rows[some[rings.owner]], rings.counts[some]), places[some])
+    areas[np.flatnonzero(some)[~proven]] = 0
+    return places, areas
+
+
+def are_seen_from(sides: Sequence[Points], rings: Rings, places: Sequence[Floats]) -> Flags:
+    """Tell which rings, the same over all sides, are seen whole from (k, 2) places in each, exactly.
+
+    The places are strictly to the left of all edges, and the rings go round them once.
+    """
+    seen: Flags = np.ones(len(rings.counts), dtype=bool)
+    for points, place in zip(sides, places, strict=True):
+        seen &= _round_once(points, rings, place)
+    return seen
 
 
 def _round_once(points: Points, rings: Rings, places: Floats) -> Flags:
@@ -80,14 +86,3 @@ def _round_once(points: Points, rings: Rings, places: Floats) -> Flags:
     turns = np.bincount(owner[above[after] & ~above], minlength=len(rings.counts))
     once: Flags = np.logical_and.reduceat(sides > 0, rings.first) & (turns == 1)
     return once
-
-
-def _kernels(corners: Floats, counts: Indices, task: Task) -> tuple[Floats, Floats]:
-    """Cut the boxes of rings to the left sides of all edges: centroids and areas of what is left."""
-    centroids, areas = np.zeros(len(counts), dtype=np.complex128), np.zeros(len(counts))
-    rings = counts > 2
-    at = corners[np.repeat(rings, counts)].view(np.complex128)[:, 0]
-    edges = Rings(np.arange(len(at)), counts[rings])
-    cells = cut_along(boxes(at, edges.first), (at, at[edges.following]), edges.first, edges.counts, task)
-    centroids[rings], areas[rings] = cells.measured()
-    return centroids[:, None].view(np.float64), areas

@@ -39,6 +39,7 @@ def _merge(board: Board, reductions: list["_Reduction"], task: Task) -> list[boo
     stars = dict(zip(rings, board.have_kernels(rings, task), strict=True))
     left = [ring for ring in rings if not stars[ring]]
     stars.update(zip(left, board.have_common_star_vertices(left, task), strict=True))
+    board.unions.update((pair, None) for found in unions for pair, ring in found if not stars[ring])
     moves = [[(pair, [ring]) for pair, ring in found if stars[ring]] for found in unions]
     return [reduction.make(found) for reduction, found in zip(reductions, moves, strict=True)]
 
@@ -62,12 +63,19 @@ class _Reduction:
         self._board = board
 
     def unions(self) -> list[tuple[tuple[Piece, Piece], Piece]]:
-        """Give the rings round neighbours, those across the longest edges first."""
-        neighbours, known = _neighbouring(self._board, self.pieces), self._board.unions
-        for pair in neighbours:
-            if pair not in known:
-                known[pair] = union(*pair)
-        return [(pair, ring) for pair in neighbours if (ring := known[pair]) is not None]
+        """Give the rings round neighbours that may be star pieces, those across the longest edges first."""
+        owner = {edge: piece for piece in self.pieces for edge in edges_of(piece)}
+        known = self._board.unions
+        hopeful = []
+        for a, b in sorted(owner):
+            if a < b and (b, a) in owner:
+                pair = owner[a, b], owner[b, a]
+                if pair not in known:
+                    known[pair] = union(*pair)
+                if (ring := known[pair]) is not None:
+                    hopeful.append(((a, b), pair, ring))
+        order = _longest_first(self._board, [edge for edge, _, _ in hopeful])
+        return [hopeful[k][1:] for k in order]
 
     def stars(self) -> list[Around]:
         """Give the Steiner vertices, the last placed first, and the pieces round each."""
@@ -90,15 +98,11 @@ class _Reduction:
         return made
 
 
-def _neighbouring(board: Board, pieces: Iterable[Piece]) -> list[tuple[Piece, Piece]]:
-    owner = {edge: piece for piece in pieces for edge in edges_of(piece)}
-    shared = sorted((a, b) for a, b in owner if a < b and (b, a) in owner)
-    ends = np.array(shared, dtype=np.intp).reshape(-1, 2)
-    length = np.zeros(len(ends))
-    for side in board.sides:
-        length += np.hypot(*(side.coordinates[ends[:, 0]] - side.coordinates[ends[:, 1]]).T)
-    longest_first = np.argsort(-length, kind="stable")
-    return [(owner[a, b], owner[b, a]) for a, b in (shared[i] for i in longest_first)]
+def _longest_first(board: Board, edges: Sequence[tuple[int, int]]) -> list[int]:
+    ends = np.array(edges, dtype=np.intp).reshape(-1, 2)
+    length = np.abs(board.at[:, ends[:, 0]] - board.at[:, ends[:, 1]]).sum(axis=0)
+    order: list[int] = np.argsort(-length, kind="stable").tolist()
+    return order
 
 
 def union(first: Piece, second: Piece) -> Piece | None:

@@ -9,7 +9,7 @@ import numpy as np
 
 from starskel.arrays import Complex, Floats, Indices
 from starskel.decomposition.board import Board
-from starskel.decomposition.clipping import kernels_of_chains
+from starskel.decomposition.half_planes import kernels_of_chains
 from starskel.decomposition.pieces import Piece, chain_after
 from starskel.rings import Rings
 from starskel.task import Task
