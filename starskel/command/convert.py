@@ -14,7 +14,7 @@ from starskel.command.holdings import NamedShape, check_texts, holdings, pair_of
 from starskel.command.written import written_text
 from starskel.errors import InvalidFile
 from starskel.export.svg import svg_text
-from starskel.files.disk import write_bytes
+from starskel.files.disk import write_bytes, wrong_ending
 from starskel.files.project import Project
 from starskel.files.project_file import write_project
 from starskel.sheet.drawing import Area, Drawing, Group
@@ -27,9 +27,7 @@ def run(arguments: Namespace) -> int:
     """Read the shapes, choose among them, and write them; what was mended goes to standard error."""
     ending = arguments.output.suffix.lower()
     if ending not in _WRITERS:
-        raise InvalidFile(
-            f'{arguments.output} ends in "{arguments.output.suffix}"', "end it in " + ", ".join(_WRITERS)
-        )
+        raise wrong_ending(arguments.output, tuple(_WRITERS))
     check_texts(arguments.files, arguments.text)
     shapes: list[NamedShape] = []
     told: list[str] = []

@@ -6,8 +6,9 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol, cast
 
-from starskel.errors import InvalidFile, either, told
+from starskel.errors import told
 from starskel.export.layouts import PICTURES, Layout
+from starskel.files.disk import wrong_ending
 
 if TYPE_CHECKING:  # the command's words are known before anything is drawn
     from starskel.export.film import Film
@@ -91,7 +92,7 @@ def layouts_of(path: Path) -> tuple[Layout, ...]:
     """
     own = [layout for found in FORMATS if found.ending == path.suffix.lower() for layout in found.layouts]
     if not own:
-        raise _refused(path, tuple(dict.fromkeys(found.ending for found in FORMATS)))
+        raise wrong_ending(path, tuple(dict.fromkeys(found.ending for found in FORMATS)))
     return tuple(sorted(own, key=lambda layout: layout == "animation"))
 
 
@@ -106,11 +107,4 @@ def format_for(path: Path, layout: Layout) -> Format:
     for found in FORMATS:
         if found.ending == path.suffix.lower() and layout in found.layouts:
             return found
-    raise _refused(path, endings_of(layout))
-
-
-def _refused(path: Path, endings: tuple[str, ...]) -> InvalidFile:
-    return InvalidFile(
-        told('{name} ends in "{ending}"', name=path.name, ending=path.suffix),
-        told("end it in {endings}", endings=either(endings)),
-    )
+    raise wrong_ending(path, endings_of(layout))

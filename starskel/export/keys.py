@@ -12,7 +12,7 @@ import numpy as np
 from starskel.arrays import Floats
 from starskel.errors import StarskelError
 from starskel.export.film import Film, Shot
-from starskel.sheet.drawing import Area, Disc, Drawing, Group, Item, Label, Line
+from starskel.sheet.drawing import Area, Disc, Drawing, Group, Item, Label, Line, channels
 from starskel.task import Task
 
 _LOOKS = 129
@@ -111,8 +111,7 @@ def _points(items: Sequence[Item], tolerance: float) -> Iterator[Floats]:
             case Area(ring, fill, _, holes):
                 yield from (ring, *holes)
                 if fill is not None:
-                    shades = [int(fill[i : i + 2], 16) for i in (1, 3, 5)]
-                    yield np.array([[shade, 0.0] for shade in shades]) * (tolerance / _SHADES)
+                    yield np.array([[shade, 0.0] for shade in channels(fill)]) * (tolerance / _SHADES)
             case Line(points, _):
                 yield points
             case Disc(centre):

@@ -13,7 +13,7 @@ import numpy as np
 from starskel.arrays import Floats
 from starskel.export.film import Film
 from starskel.export.keys import Stretch, stretches
-from starskel.sheet.drawing import Area, Colour, Disc, Group, Item, Line, Stroke
+from starskel.sheet.drawing import Area, Colour, Disc, Group, Item, Line, Stroke, channels
 from starskel.task import Task
 
 _VERSION = "5.5.2"
@@ -132,7 +132,7 @@ def _animated(values: Sequence[Any], times: list[float]) -> dict[str, Any]:
 
 
 def _colour(colour: Colour) -> list[float]:
-    return [_number(int(colour[i : i + 2], 16) / 255) for i in (1, 3, 5)]
+    return [_number(channel / 255) for channel in channels(colour)]
 
 
 def _number(value: float) -> float:

@@ -6,14 +6,14 @@ from pathlib import Path
 
 import numpy as np
 
-from starskel.errors import InvalidFile, either, told
 from starskel.export import bounds
 from starskel.export.pixels import check_size
+from starskel.files.disk import wrong_ending
 from starskel.files.raster import MOVING, write_animation, write_image
 from starskel.files.video import VIDEO, write_video
 from starskel.images.morph import ImageMorph
 from starskel.images.placed import Pixels
-from starskel.sheet.drawing import Colour
+from starskel.sheet.drawing import Colour, channels
 from starskel.task import UNWATCHED, Task
 
 PNG = ".png"
@@ -68,10 +68,7 @@ def check_ending(path: Path) -> None:
         If its ending is none of `ENDINGS`.
     """
     if path.suffix.lower() not in ENDINGS:
-        raise InvalidFile(
-            told('{name} ends in "{ending}"', name=path.name, ending=path.suffix),
-            told("end it in {endings}", endings=either(ENDINGS)),
-        )
+        raise wrong_ending(path, ENDINGS)
 
 
 def write_morph(
@@ -124,7 +121,7 @@ def _frames(morph: ImageMorph, wanted: MorphSettings, task: Task) -> Iterator[Pi
 def _on(frame: Pixels, paper: Colour) -> Pixels:
     """Put a frame on a ground of a colour."""
     alpha = frame[..., 3:] / 255
-    mixed = frame[..., :3] * alpha + np.array(list(bytes.fromhex(paper[1:]))) * (1 - alpha)
+    mixed = frame[..., :3] * alpha + np.array(channels(paper)) * (1 - alpha)
     return np.concatenate([np.rint(mixed).astype(np.uint8), np.full_like(frame[..., 3:], 255)], axis=2)
 
 

@@ -14,7 +14,7 @@ from reportlab.pdfgen.canvas import Canvas
 from starskel.arrays import Floats
 from starskel.export.film import Film
 from starskel.files.decimals import decimal
-from starskel.sheet.drawing import Area, Disc, Drawing, Group, Image, Item, Label, Line, Stroke
+from starskel.sheet.drawing import Area, Disc, Drawing, Group, Image, Item, Label, Line, Stroke, channels
 from starskel.task import Task
 
 _REACH = 0.5522847498307936
@@ -90,7 +90,7 @@ def _painted(fill: str | None, stroke: Stroke | None, holes: Sequence[Floats]) -
 
 
 def _label(canvas: Canvas, label: Label) -> None:
-    canvas.setFillColorRGB(*(int(label.colour[i : i + 2], 16) / 255 for i in (1, 3, 5)))
+    canvas.setFillColorRGB(*(channel / 255 for channel in channels(label.colour)))
     canvas.setFont("Helvetica-Bold" if label.bold else "Helvetica", label.size)
     draw = {"start": canvas.drawString, "middle": canvas.drawCentredString, "end": canvas.drawRightString}
     draw[label.anchor](*label.place, _printable(label.text))
@@ -103,4 +103,4 @@ def _printable(text: str) -> str:
 
 
 def _colour(colour: str) -> str:
-    return " ".join(decimal(int(colour[i : i + 2], 16) / 255) for i in (1, 3, 5))
+    return " ".join(decimal(channel / 255) for channel in channels(colour))

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from starskel.arrays import Floats
 from starskel.export.film import Film
 from starskel.files.decimals import decimal
-from starskel.sheet.drawing import Area, Disc, Drawing, Group, Item, Label, Line, Stroke
+from starskel.sheet.drawing import Area, Disc, Drawing, Group, Item, Label, Line, Stroke, channels
 from starskel.task import Task
 
 # The names stand in a dictionary of their own, so that they hide nothing of a page that includes the drawing.
@@ -164,7 +164,7 @@ def _label(label: Label) -> str:
 
 
 def _colour(colour: str) -> str:
-    return " ".join(decimal(int(colour[i : i + 2], 16) / 255) for i in (1, 3, 5))
+    return " ".join(decimal(channel / 255) for channel in channels(colour))
 
 
 def _string(text: str) -> str:

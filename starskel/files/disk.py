@@ -8,9 +8,10 @@ import re
 import secrets
 import stat
 import time
+from collections.abc import Sequence
 from pathlib import Path
 
-from starskel.errors import InvalidFile, told
+from starskel.errors import InvalidFile, either, told
 from starskel.limits import DOCUMENT_BYTES, check_limit
 
 _CHUNK = 1 << 20
@@ -49,6 +50,14 @@ def read_bytes(path: Path, most: int = DOCUMENT_BYTES) -> bytes:
         raise InvalidFile(
             told("{path} is no path", path=repr(str(path))), told("give the path of a readable file")
         ) from error
+
+
+def wrong_ending(path: Path, endings: Sequence[str]) -> InvalidFile:
+    """Give the error of a file to be written whose name ends in none of these."""
+    return InvalidFile(
+        told('{name} ends in "{ending}"', name=path.name, ending=path.suffix),
+        told("end it in {endings}", endings=either(endings)),
+    )
 
 
 def digest_of(path: Path) -> str | None:

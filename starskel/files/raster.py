@@ -14,7 +14,7 @@ import numpy as np
 from PIL import Image, ImageOps, UnidentifiedImageError
 
 from starskel.errors import InvalidFile, either, told
-from starskel.files.disk import read_bytes, write_bytes
+from starskel.files.disk import read_bytes, write_bytes, wrong_ending
 from starskel.images.placed import Pixels, PlacedImage
 from starskel.limits import (
     JPEG_PIXELS,
@@ -164,10 +164,7 @@ def write_animation(path: Path, frames: Iterable[Pixels], durations: Sequence[fl
         If the ending is another one, or the file cannot be written.
     """
     if path.suffix.lower() not in MOVING:
-        raise InvalidFile(
-            told('{name} ends in "{ending}"', name=path.name, ending=path.suffix),
-            told("end it in {endings}", endings=either(MOVING)),
-        )
+        raise wrong_ending(path, MOVING)
     write_bytes(path, animation_of(path.suffix.lower(), frames, durations, loops))
 
 

@@ -21,6 +21,12 @@ FINE = 4
 Place = tuple[float, float]
 
 
+def channels(colour: Colour) -> tuple[int, int, int]:
+    """Give red, green and blue, each from 0 to 255."""
+    red, green, blue = bytes.fromhex(colour[1:])
+    return red, green, blue
+
+
 @dataclass(frozen=True)
 class Stroke:
     """How a line is drawn."""

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from starskel.sheet.drawing import Colour, Stroke
+from starskel.sheet.drawing import Colour, Stroke, channels
 
 PAPER: Colour = "#ffffff"
 INK: Colour = "#20262e"
@@ -102,5 +102,5 @@ USUAL_PART = PartLook()
 
 
 def _mix(source: Colour, target: Colour, t: float) -> Colour:
-    channels = [(int(source[i : i + 2], 16), int(target[i : i + 2], 16)) for i in (1, 3, 5)]
-    return "#" + "".join(f"{round((1 - t) * a + t * b):02x}" for a, b in channels)
+    mixed = (round((1 - t) * a + t * b) for a, b in zip(channels(source), channels(target), strict=True))
+    return "#" + bytes(mixed).hex()

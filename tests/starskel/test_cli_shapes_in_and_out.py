@@ -76,7 +76,7 @@ def test_shapes_are_chosen_by_name_and_what_was_mended_is_told(capsys):
             ["convert", CLUB, "--shape", "leaf", "-o", "a.wkt"],
             'there is no shape "leaf"; choose one of path 1',
         ),
-        (["convert", CLUB, "-o", "a.dxf"], "end it in .json, .svg"),
+        (["convert", CLUB, "-o", "a.dxf"], "end it in .json or .svg"),
         (["convert", "a.dxf", "-o", "a.svg"], "give a file that ends in .json, .svg"),
         (["info", "gone.svg"], "gone.svg cannot be read"),
     ],
