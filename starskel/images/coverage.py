@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.arrays import Flags, Floats, Indices
+from starskel.rings import ranges
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,9 +126,7 @@ def _cut(starts: Floats, ends: Floats, size: int) -> _Parts:
     low, high = np.minimum(starts, ends), np.maximum(starts, ends)
     first = np.floor(low).clip(-1, size).astype(np.intp)
     last = np.maximum((np.ceil(high) - 1).clip(-1, size).astype(np.intp), first)
-    counts = last - first + 1
-    owners = np.repeat(np.arange(len(starts)), counts)
-    cells = np.arange(len(owners)) + (first - np.cumsum(counts) + counts)[owners]
+    owners, cells = ranges(first, last - first + 1)
     way = high - low
     level = way == 0
     way[level] = 1.0

@@ -52,19 +52,6 @@ def checked_size(size: Size | int, view: View) -> Size:
     return width, height
 
 
-def checked_solid(solid: int) -> int:
-    """Give a whole number of pixels.
-
-    Raises
-    ------
-    StarskelError
-        If it is none, or negative.
-    """
-    if np.asarray(solid).dtype.kind not in "iu" or np.ndim(solid) or solid < 0:
-        raise StarskelError(f"solid is {solid!r}", "give a whole number of pixels, 0 or more")
-    return int(solid)
-
-
 def checked_share(share: float) -> float:
     """Give how much of the target is seen.
 

@@ -1,6 +1,5 @@
 """Looking pictures up for runs of pixels: how much smaller they get in a triangle, and at which levels."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -81,13 +80,3 @@ class Layer:
     pyramid: Pyramid
     footprints: Footprints
     column: int
-
-
-def batches(ends: Indices) -> Iterator[slice]:
-    """Cut runs that end at these counts of pixels into groups of not too many."""
-    start = 0
-    while start < len(ends):
-        done = int(ends[start - 1]) if start else 0
-        stop = max(start + 1, int(np.searchsorted(ends, done + BATCH, side="right")))
-        yield slice(start, stop)
-        start = stop

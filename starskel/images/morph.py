@@ -22,20 +22,13 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from starskel.arguments import choice
+from starskel.arguments import choice, whole_number
 from starskel.blending.frames import Blend, checked_times
 from starskel.decomposition.pieces import Decomposition
 from starskel.errors import StarskelError
 from starskel.images.canvas import Canvas, Image, lay, trim
 from starskel.images.carriers import carriers_of
-from starskel.images.given import (
-    Size,
-    View,
-    checked_share,
-    checked_size,
-    checked_solid,
-    checked_view,
-)
+from starskel.images.given import Size, View, checked_share, checked_size, checked_view
 from starskel.images.part import Part, Seen, part_of
 from starskel.images.placed import Pixels, PlacedImage
 from starskel.images.precise import Precise
@@ -118,7 +111,7 @@ class ImageMorph:
         self.fade = fade
         self.blend = blend
         self._parts: list[Part] = []
-        width = checked_solid(solid)
+        width = whole_number(solid, "solid", 0)
         carriers = carriers_of(blend, decomposition, task.part(0, 0.7))
         for number, carrier in enumerate(carriers):
             task.reach(0.7 + 0.3 * number / len(carriers))

@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 
 from starskel.arrays import Floats, Indices
 from starskel.images.canvas import Colours, unmultiplied
-from starskel.images.lookup import Layer, batches
+from starskel.images.lookup import BATCH, Layer
 from starskel.images.spans import Spans
+from starskel.rings import blocks
 
 
 class Precise:
@@ -27,7 +28,7 @@ class Precise:
         """Set the pixels of runs, in their order, the second picture counting by a share of 1."""
         ends = np.cumsum(spans.counts)
         before = ends - spans.counts
-        for run in batches(ends):
+        for run in blocks(spans.counts, BATCH):
             owners = np.repeat(np.arange(run.start, run.stop), spans.counts[run])
             at = np.arange(before[run.start], ends[run.stop - 1]) - before[owners]
             looked = [_looked_up(layer, spans, owners, at) for layer in layers]

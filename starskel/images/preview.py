@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 
 from starskel.arrays import Indices
 from starskel.images.canvas import unmultiplied
-from starskel.images.lookup import Layer, batches
+from starskel.images.lookup import BATCH, Layer
 from starskel.images.pyramid import Packed, packed
 from starskel.images.spans import Spans
+from starskel.rings import blocks
 
 _HALF, _EIGHT = np.uint16(128), np.uint16(8)
 
@@ -33,7 +34,7 @@ class Preview:
         ways = [_Way.of(layer, spans) for layer in layers]
         ends = np.cumsum(spans.counts)
         before = ends - spans.counts
-        for run in batches(ends):
+        for run in blocks(spans.counts, BATCH):
             counts = spans.counts[run]
             at = np.arange(before[run.start], ends[run.stop - 1]) - np.repeat(before[run], counts)
             colours = [way.colours(run, counts, at.astype(np.float32)) for way in ways]

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.arrays import Floats, Indices
+from starskel.rings import ranges
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,9 +55,8 @@ def spans_of(places: Floats, triangles: Indices, values: Floats, size: tuple[int
     rows = np.ceil(places[:, 1] - 0.5).clip(0, height).astype(np.intp)
     begin = np.maximum(rows[left[0]], rows[right[0]])
     times = np.minimum(rows[left[1]], rows[right[1]]) - begin
-    owners = np.repeat(np.arange(len(times)), times)
-    row = np.arange(len(owners)) + np.repeat(begin - np.cumsum(times) + times, times)
-    near, far = (_shares(places[:, 1], side, times, row + 0.5) for side in (left, right))
+    owners, row = ranges(begin, times)
+    near, far = (_shares(places[:, 1], side, times, row) for side in (left, right))
     x0, x1 = _between(places[:, 0], left, near, times), _between(places[:, 0], right, far, times)
     first = np.ceil(x0 - 0.5).clip(0, width).astype(np.intp)
     counts = np.ceil(x1 - 0.5).clip(0, width).astype(np.intp) - first
@@ -92,11 +92,11 @@ def _halves(places: Floats, triangles: Indices) -> tuple[Sides, Sides]:
     return left, right
 
 
-def _shares(y: Floats, sides: Sides, times: Indices, rows: Floats) -> Floats:
-    """Give where sides, each so many times, cross rows, as shares of the way down."""
+def _shares(y: Floats, sides: Sides, times: Indices, rows: Indices) -> Floats:
+    """Give where sides, each so many times, cross the middles of rows, as shares of the way down."""
     upper, lower = y[sides[0]], y[sides[1]]
     height = np.where(lower > upper, lower - upper, 1.0)
-    return np.asarray((rows - np.repeat(upper, times)) / np.repeat(height, times))
+    return np.asarray((rows + 0.5 - np.repeat(upper, times)) / np.repeat(height, times))
 
 
 def _between(value: Floats, sides: Sides, shares: Floats, times: Indices) -> Floats:
