@@ -2699,8 +2699,8 @@
         <translation>&amp;Rand</translation>
     </message>
     <message>
-        <source>Bet&amp;ween frames</source>
-        <translation>Z&amp;wischen Bildern</translation>
+        <source>&amp;Between frames</source>
+        <translation>Zwischen &amp;Bildern</translation>
     </message>
     <message>
         <source>Largest &amp;frame</source>
@@ -2900,7 +2900,7 @@
     </message>
     <message>
         <source>Pictures a &amp;second</source>
-        <translation>Bilder je &amp;Sekunde</translation>
+        <translation>Bilder &amp;je Sekunde</translation>
     </message>
     <message>
         <source>T&amp;olerance</source>

@@ -78,7 +78,7 @@ class LookFields(QWidget):
             ("", (self._outlined, self._stroke, self._width)),
             ("", (self._papered, self._paper)),
             (self.tr("Ma&rgin"), (self._margin,)),
-            (self.tr("Bet&ween frames"), (self._gap,)),
+            (self.tr("&Between frames"), (self._gap,)),
             (self.tr("Largest &frame"), (self._size,)),
             ("", (self._captions,)),
             ("", (self._signs,)),

@@ -1,5 +1,7 @@
 """What the program says about the names and errors that the layers without Qt use."""
 
+import re
+
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLocale
 
 from app.model.document import Document
@@ -162,7 +164,23 @@ def reason(error: Exception, document: Document) -> str:
 
 def sentences(error: StarskelError, between: str) -> str:
     """Give what is wrong and how to mend it, a sentence each."""
-    return between.join(_capitalised(retold(text)) + "." for text in (error.what, error.mend) if text)
+    return between.join(_sentence(text) + "." for text in (error.what, error.mend) if text)
+
+
+def _sentence(text: object) -> str:
+    """Give a text of the library in the user's language; a name that it begins with stays as it is."""
+    said = str(retold(text))
+    return said if _begins_with_a_name(text) else _capitalised(said)
+
+
+def _begins_with_a_name(text: object) -> bool:
+    if not isinstance(text, Told):
+        return False
+    first = re.match(r"\{(\w+)", translate("", text.template))
+    if first is None:
+        return False
+    value = text.values[first[1]]
+    return _begins_with_a_name(value) if isinstance(value, Told) else True
 
 
 def retold(text: object) -> object:
@@ -206,6 +224,5 @@ def _named(pair: Mark, document: Document) -> str:
     return translate("Refusal", "the new mark {label}").format(label=mark(len(document.marks)))
 
 
-def _capitalised(text: object) -> str:
-    text = str(text)
+def _capitalised(text: str) -> str:
     return text[:1].upper() + text[1:]

@@ -3,14 +3,14 @@
 import re
 import runpy
 import shutil
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree
 
 import pytest
 from PySide6.QtCore import QLocale, QTranslator
-from PySide6.QtWidgets import QApplication, QMenu, QWidget
+from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QMenu, QWidget
 
 import app
 from app.model.document import Document
@@ -18,9 +18,10 @@ from app.view.main_window import MainWindow
 from app.view.wording import language, words
 from app.view.wording.counts import COUNTS
 from app.view.wording.verdicts import summaries
-from starskel.errors import StarskelError, either, told
+from starskel.errors import InvalidFile, StarskelError, either, told
 from starskel.files.examples import resource_folder
 from starskel.polygon import Polygon
+from tests.app.driver import Driver
 from tests.app.view.test_verdicts import STILL
 
 FOLDER = resource_folder() / "translations"
@@ -166,6 +167,17 @@ def test_errors_of_the_library_are_told_in_german() -> None:
     assert words.retold(either([".svg", ".eps"])) == ".svg oder .eps"
 
 
+def test_a_sentence_begins_with_a_capital_but_a_name_stays_as_it_is() -> None:
+    error = InvalidFile(
+        told("{path} holds no pair", path="a.json"), told("give a file with at least one pair")
+    )
+    assert words.sentences(error, " ") == "a.json holds no pair. Give a file with at least one pair."
+    where = told(
+        "{where}: {what}", where=told("source (p)"), what=told("{path} holds no pair", path="a.json")
+    )
+    assert words.sentences(StarskelError(where), " ") == "Source (p): a.json holds no pair."
+
+
 @pytest.mark.usefixtures("german")
 def test_numbers_have_a_decimal_comma_in_german() -> None:
     assert words.figure("0.1-0.3, 0.5, ...") == "0,1-0,3; 0,5; …"
@@ -185,8 +197,37 @@ def test_no_two_entries_of_a_menu_have_the_same_mnemonic(
     QLocale.setDefault(QLocale.c())
 
 
+@pytest.mark.parametrize("code", language.LANGUAGES)
+def test_no_two_fields_of_a_dialog_have_the_same_mnemonic(
+    qapp: QApplication, code: str, request: pytest.FixtureRequest
+) -> None:
+    loaded = language.speak(qapp, code)
+    driver: Driver = request.getfixturevalue("driver")
+    driver.window.files.open_example("arm")
+    driver.wait_for_blends()
+    found: dict[str, list[str]] = {}
+
+    def look(dialog: QWidget) -> None:
+        named = (*dialog.findChildren(QLabel), *dialog.findChildren(QAbstractButton))
+        found[type(dialog).__name__] = alike(widget.text() for widget in named)
+        dialog.close()
+
+    for name in ("export", "shortcuts", "about"):
+        driver.in_dialog(look)
+        driver.window.actions_table[name].trigger()
+    assert found == {"ExportDialog": [], "ShortcutsDialog": [], "AboutDialog": []}
+    for translator in loaded:
+        qapp.removeTranslator(translator)
+    QLocale.setDefault(QLocale.c())
+
+
 def twice(menu: QWidget) -> list[str]:
     """Give the entries of a menu, or of the bar, whose letter another one has too."""
-    texts = [action.text() for action in menu.actions() if "&" in action.text()]
+    return alike(action.text() for action in menu.actions())
+
+
+def alike(texts: Iterable[str]) -> list[str]:
+    """Give the texts whose letter another one has too."""
+    texts = [text for text in texts if "&" in text]
     letters = [text[text.index("&") + 1].lower() for text in texts]
     return [text for text, letter in zip(texts, letters, strict=True) if letters.count(letter) > 1]
