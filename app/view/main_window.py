@@ -40,6 +40,12 @@ from app.view.timeline.timeline import Timeline
 from app.view.watching import LAYERS, Watching
 from app.view.wording import language, words
 
+SIZE = QSize(1280, 860)
+"""Of a window that has not been given another one."""
+
+FRAME = QSize(16, 48)
+"""So much of a screen may be taken by what the desktop puts around a window."""
+
 
 class MainWindow(QMainWindow):
     """One window for one document."""
@@ -89,7 +95,7 @@ class MainWindow(QMainWindow):
         self.convenience.begin(self.actions_table)
         self._take_drops()
         self.setStatusBar(self._status())
-        self.resize(QSize(1280, 860).boundedTo(self.screen().availableSize()))
+        self.resize(SIZE.boundedTo(self.screen().availableSize() - FRAME))
         self.canvases["source"].setFocus()
         self._examples.chosen.connect(self.files.open_example)
         self.recent.chosen.connect(self.files.open_recent)

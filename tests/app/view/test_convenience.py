@@ -8,13 +8,14 @@ from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDesktopServices, QDragEnterEvent, QDropEvent, QGuiApplication, QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QMessageBox, QPushButton, QToolButton, QWidget
+from pytestqt.qtbot import QtBot
 
 from app.session import Session
 from app.view.about import AboutDialog, versions
 from app.view.commands.finder import Finder, matches
 from app.view.commands.shortcuts import ShortcutsDialog, changed_shortcuts
 from app.view.files import remembered
-from app.view.main_window import MainWindow
+from app.view.main_window import FRAME, MainWindow
 from app.view.start import begin
 from starskel.files.key_shape import KeyShape
 from starskel.files.project import Project
@@ -167,6 +168,17 @@ def test_the_window_comes_back_as_it_was_left(driver: Driver, tmp_path: Path, qt
     finally:
         second.close()
         second.deleteLater()
+
+
+def test_a_window_that_was_never_resized_leaves_room_for_its_frame(qtbot: QtBot) -> None:
+    window = MainWindow(Session())
+    window.show()
+    qtbot.waitExposed(window)
+    try:
+        assert window.height() <= window.screen().availableSize().height() - FRAME.height()
+    finally:
+        window.close()
+        window.deleteLater()
 
 
 def field(window: MainWindow, name: str) -> QComboBox:
