@@ -62,9 +62,9 @@ def _write_project(path: Path, shapes: Sequence[NamedShape]) -> None:
     """Write a project whose key shapes these are."""
     if len(shapes) < 2:
         raise InvalidFile(f"{path} needs a source and a target, there is one shape", "give another file")
-    ways = [Project.of(pair_of(path.stem, one.shape, two.shape)) for one, two in pairwise(shapes)]
-    own = (ways[0].shapes[0], *(way.shapes[1] for way in ways))
-    write_project(path, Project(path.stem, own, tuple(way.steps[0] for way in ways)))
+    projects = [Project.of(pair_of(path.stem, one.shape, two.shape)) for one, two in pairwise(shapes)]
+    own = (projects[0].shapes[0], *(project.shapes[1] for project in projects))
+    write_project(path, Project(path.stem, own, tuple(project.steps[0] for project in projects)))
 
 
 def _write_svg(path: Path, shapes: Sequence[NamedShape]) -> None:

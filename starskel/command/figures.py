@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 
-from starskel.command.shapes import Watch, Way, blends_of
+from starskel.command.variants import Variant, Watch, blends_of
 from starskel.files.project import AnyPair
 from starskel.quality import Distortion, Report, ShapeReport, measure
 from starskel.shapes.shape_blend import ShapeBlend
@@ -127,7 +127,7 @@ def measured(
     StarskelError
         If the pair cannot be matched or blended.
     """
-    for method, blend in blends_of(pair, [Way(method, method) for method in methods], watch):
+    for method, blend in blends_of(pair, list(map(Variant, methods)), watch):
         if isinstance(blend, ShapeBlend):
             of_shapes = measure(blend, frames)
             yield ShapeFigures.of(pair.id, method, blend, of_shapes), of_shapes

@@ -1,4 +1,4 @@
-"""From the name of a file to what is to be drawn of it: the ways of all methods through its steps."""
+"""From the name of a file to what is to be drawn of it: by all methods, through its steps."""
 
 from argparse import Namespace
 from collections.abc import Sequence
@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import partial
 
 from starskel.command.opening import Opened, chosen_id, opened
-from starskel.command.shapes import blends_of, ways_of
+from starskel.command.variants import blends_of, variants_of
 from starskel.export.film import Scene, Track
 from starskel.quality import measure
 
@@ -41,10 +41,10 @@ def _tracks(
     arguments: Namespace, file: Opened, ids: Sequence[str], methods: Sequence[str], measured: bool
 ) -> tuple[Track, ...]:
     pairs = {pair_id: file.pair(pair_id) for pair_id in ids}
-    ways = ways_of(arguments, list(pairs.values()), methods, measured=measured)
-    scenes: dict[str, list[Scene]] = {way.name: [] for way in ways}
+    variants = variants_of(arguments, list(pairs.values()), methods, measured=measured)
+    scenes: dict[str, list[Scene]] = {variant.name: [] for variant in variants}
     for pair_id, pair in pairs.items():
-        for name, blend in blends_of(pair, ways):
+        for name, blend in blends_of(pair, variants):
             report = measure(blend) if measured else None
             scenes[name].append(_scene(file, pair_id, Scene(blend, report)))
     return tuple(Track(name, tuple(own)) for name, own in scenes.items())

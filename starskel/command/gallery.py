@@ -11,7 +11,7 @@ from starskel.blending import COMPARED
 from starskel.command import FAILED
 from starskel.command.opening import Opened, named, opened
 from starskel.command.progress import Progress
-from starskel.command.shapes import Way, blends_of, comparison
+from starskel.command.variants import Variant, blends_of, comparison
 from starskel.command.written import written_text
 from starskel.errors import StarskelError
 from starskel.export.film import Scene
@@ -92,8 +92,8 @@ def _exhibit(
         progress.label = f"{pair.id}: {method}"
         progress(start + length * fraction)
 
-    ways = [*(Way(method, method) for method in methods), *comparison(pair, methods)]
-    for name, blend in blends_of(pair, ways, watch):
+    variants = [*map(Variant, methods), *comparison(pair, methods)]
+    for name, blend in blends_of(pair, variants, watch):
         scene = Scene(blend, measure(blend))
         rows.append(scene.row(name, times, ALONE))
         if scene.report is not None and name in methods:

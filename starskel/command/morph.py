@@ -6,7 +6,7 @@ from pathlib import Path
 
 from starskel.command.opening import Opened, Pictures, chosen_id, opened
 from starskel.command.progress import Progress
-from starskel.command.shapes import Way, blends_of
+from starskel.command.variants import Variant, blends_of
 from starskel.command.written import written_text
 from starskel.easing import EVEN, Easing
 from starskel.errors import InvalidFile
@@ -23,10 +23,10 @@ def run(arguments: Namespace) -> int:
     check_ending(arguments.output)
     file = opened(arguments.file, arguments.step)
     if arguments.every:
-        ways = dict(zip(file.ids, _own_files(arguments.output, file.ids), strict=True))
+        paths = dict(zip(file.ids, _own_files(arguments.output, file.ids), strict=True))
     else:
-        ways = {chosen_id(arguments.file, file.ids, arguments.id): arguments.output}
-    written = [own for pair_id, path in ways.items() for own in _morph(arguments, file, pair_id, path)]
+        paths = {chosen_id(arguments.file, file.ids, arguments.id): arguments.output}
+    written = [own for pair_id, path in paths.items() for own in _morph(arguments, file, pair_id, path)]
     if arguments.json:
         print(written_text(written), end="")
     return 0
@@ -34,7 +34,7 @@ def run(arguments: Namespace) -> int:
 
 def _morph(arguments: Namespace, file: Opened, pair_id: str, path: Path) -> tuple[Path, ...]:
     pair, pictures = file.pair(pair_id), _pictures(arguments.file, file, pair_id)
-    ((_, made),) = blends_of(pair, [Way(arguments.method, arguments.method)])
+    ((_, made),) = blends_of(pair, [Variant(arguments.method)])
     fade, solid = (smooth if arguments.fade == "smooth" else float), (0 if arguments.as_it_is else SOLID)
     with Progress(f"{pair_id}: pictures") as bar:
         morph = ImageMorph(made, *pictures, fade=fade, solid=solid, progress=bar)

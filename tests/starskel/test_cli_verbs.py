@@ -332,7 +332,7 @@ def test_an_interruption_ends_with_status_130(monkeypatch):
     def interrupted(*_, **__):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("starskel.command.methods.blend", interrupted)
+    monkeypatch.setattr("starskel.command.variants.blend", interrupted)
     assert main(["render", COAST, "-o", "a.svg"]) == 130
     assert list(Path().iterdir()) == []
 
