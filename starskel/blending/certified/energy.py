@@ -4,14 +4,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import sparse
-from scipy.linalg import solve
+from scipy.linalg import cho_factor, cho_solve, solve
+from scipy.sparse import csc_array
 from scipy.sparse.linalg import splu
 
 from starskel.arrays import Complex, Floats
 from starskel.blending.certified.barrier import SHARE, Barrier, Linear, reach_of
 from starskel.blending.certified.contacts import Distances
-from starskel.blending.certified.metric import Metric
+from starskel.blending.certified.metric import Form, Metric
 from starskel.blending.certified.room import Room
 from starskel.polar import as_complex, as_points
 from starskel.task import Task
@@ -19,8 +19,8 @@ from starskel.task import Task
 Accepted = Callable[[Floats], bool]
 """Tells whether a frame is good to go to."""
 
-FEW = 250
-"""With fewer pairs that push, a step is solved for their pushes, else for the moves of all points."""
+FEW = 200
+"""With fewer pairs that push, a step is solved for their pushes, else for the moves of points."""
 
 HALVINGS = 5
 """How often a step is halved before it counts as stuck."""
@@ -112,17 +112,24 @@ class Energy:
         return as_complex((yields.T @ as_points(pushes * near.slopes)) - as_points(away))
 
     def _step_by_coordinates(self, near: Linear, away: Complex) -> Complex:
-        """Solve for the moves of all points, inner ones as well: x and y behind one another, sparsely."""
+        """Solve for the moves of all points of the form: x and y behind one another."""
         both, n = self.metric.both, len(away)
         gradients = near.gradients(both.shape[0] // 2)
         displaced = np.zeros((2, both.shape[0] // 2))
         displaced[:, :n] = away.real, away.imag
-        factors = splu(
-            sparse.csc_array(both + self.push * (gradients.T @ gradients)),
-            permc_spec="MMD_AT_PLUS_A",
-            diag_pivot_thresh=0.0,
-            options={"SymmetricMode": True},
-        )
-        moves = factors.solve(-both @ displaced.ravel() - self.push * (gradients.T @ near.logarithms))
-        x, y = moves.reshape(2, -1)[:, :n]
+        pulls = both @ displaced.ravel() + self.push * (gradients.T @ near.logarithms)
+        x, y = _solved(both + self.push * (gradients.T @ gradients), -pulls).reshape(2, -1)[:, :n]
         return np.asarray(x + 1j * y)
+
+
+def _solved(matrix: Form, right: Floats) -> Floats:
+    """Solve a positive definite system."""
+    if isinstance(matrix, np.ndarray):
+        return np.asarray(cho_solve(cho_factor(matrix, check_finite=False), right, check_finite=False))
+    factors = splu(
+        csc_array(matrix),
+        permc_spec="MMD_AT_PLUS_A",
+        diag_pivot_thresh=0.0,
+        options={"SymmetricMode": True},
+    )
+    return np.asarray(factors.solve(right))

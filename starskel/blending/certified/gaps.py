@@ -9,9 +9,18 @@ Bridge = Callable[[Key, Key, Task], Chain | None]
 """Gives a chain of good links from one key to another; None where it finds none."""
 
 
-def narrowed(chains: list[Chain], bridge: Bridge, margins: tuple[float, ...], task: Task) -> list[Chain]:
-    """Bridge gaps, each widened by a margin in time, in the end by the last; those that resist stay."""
-    resisted: set[tuple[float, float]] = set()
+def narrowed(
+    chains: list[Chain],
+    bridge: Bridge,
+    margins: tuple[float, ...],
+    task: Task,
+    resisted: set[tuple[float, float]] | None = None,
+) -> list[Chain]:
+    """Bridge gaps, each widened by a margin in time, in the end by the last; those that resist stay.
+
+    What resisted, from one time to another, is not tried again, and added to what is known of that.
+    """
+    resisted = set() if resisted is None else resisted
     for number, margin in enumerate(margins):
         part = task.part(number / len(margins), (number + 1) / len(margins))
         chains = _narrowed(chains, bridge, margin, resisted, part)

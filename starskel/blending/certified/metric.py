@@ -22,6 +22,11 @@ SHORTEST = 1e-3
 HELD = 1e-2
 """How much the place of a vertex counts beside its edges."""
 
+DENSE = 350
+"""Outlines of no more vertices have a form without inner points; that of larger ones is sparse."""
+
+Form = Floats | sparse.csc_array
+"""Without inner points or with them."""
 
 _BATCH = 64
 """So many right sides are solved before asking again whether to stop."""
@@ -56,8 +61,10 @@ class Metric:
         return float(forms[0, 0]) / 2, float(forms[0, 1]), float(forms[1, 1]) / 2
 
     @cached_property
-    def both(self) -> sparse.csc_array:
-        """The form of the x of all points, and behind them the y."""
+    def both(self) -> Form:
+        """The form of the x of all points, and behind them the y; inner points only where it is sparse."""
+        if len(self.stiffness) <= DENSE:
+            return np.asarray(np.kron(np.eye(2), self.stiffness))
         return sparse.csc_array(sparse.block_diag((self.whole, self.whole), format="csc"))
 
 

@@ -54,6 +54,7 @@ def path(decomposition: Decomposition, guide: Guide, task: Task) -> tuple[Chain,
     source, target = decomposition.pair.source, decomposition.pair.target
     ends, size = (as_complex(source), as_complex(target)), extent(source, target)
     chains, way, field = [[Key(0.0, source)], [Key(1.0, target)]], Way.AS_IT_IS, None
+    resisted: set[tuple[float, float]] = set()
     roomy = Room.of(ends, KEPT * size)
     for room, work, part in (
         (roomy, WORK, task.part(0.05, 0.3)),
@@ -63,7 +64,7 @@ def path(decomposition: Decomposition, guide: Guide, task: Task) -> tuple[Chain,
         if len(chains) > 1:
             field = field or Field.of(metric_of(decomposition, size, part.part(0.2, 0.2)), ends)
             pull = Pull(field, room, Allowance(work))
-            narrower = narrowed(chains, Following(guide, pull), MARGINS, part.part(0.2, 1))
+            narrower = narrowed(chains, Following(guide, pull), MARGINS, part.part(0.2, 1), resisted)
             way = way if len(narrower) == len(chains) else Way.REPAIRED
             chains = narrower
         if len(chains) == 1 and proven(chains[0], part.part(1, 1)):

@@ -73,26 +73,38 @@ class Pull:
         return self.room.links if self.room else safe
 
     def track(self, wanted: Floats, task: Task) -> Track:
-        """Follow (k, n, 2) frames from the first on."""
+        """Follow (k, n, 2) frames from the first on, until it is stuck: then it stays there."""
         frames, arrivals = [wanted[0]], [0]
         for at, goal in enumerate(wanted[1:]):
-            frames += self._towards(frames[-1], goal, task.part(at / len(wanted), 1))
+            steps = self._towards(frames[-1], goal, task.part(at / len(wanted), 1))
+            if not steps and not self._is_there(frames[-1], goal):
+                break
+            frames += steps
             arrivals.append(len(frames) - 1)
+        arrivals += [arrivals[-1]] * (len(wanted) - len(arrivals))
         return Track(frames, np.array(arrivals))
 
     def meeting(self, *frames: Floats) -> "Pull":
         """Give the same where nothing pushes in these frames, either."""
         return replace(self, field=self.field.meeting(*frames))
 
-    def _towards(self, now: Floats, goal: Floats, task: Task) -> Iterator[Floats]:
+    def _is_there(self, now: Floats, goal: Floats) -> bool:
+        return farthest(goal - now) < SETTLED * self.field.metric.size
+
+    def _towards(self, now: Floats, goal: Floats, task: Task) -> list[Floats]:
+        """Give frames ever nearer to a goal; room is given up where there is no other way."""
+        steps = list(self._steps(now, goal, self.room, task))
+        return steps or (list(self._steps(now, goal, None, task)) if self.room else [])
+
+    def _steps(self, now: Floats, goal: Floats, room: Room | None, task: Task) -> Iterator[Floats]:
         """Give frames ever nearer to a goal, or as near as the barrier and the allowance let them."""
         if self.allowance.left <= 0:
             return
-        energy = self.field.energy(now, goal, PUSH, self.room)
+        energy, linked = self.field.energy(now, goal, PUSH, room), room.links if room else safe
         for _ in range(STEPS):
             if not self.allowance.take(len(now)):
                 return
-            after = energy.lessened(now, 1, partial(self.linked, now), task)
+            after = energy.lessened(now, 1, partial(linked, now), task)
             if after is None:
                 return
             moved = farthest(after - now)

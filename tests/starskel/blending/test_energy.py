@@ -54,3 +54,14 @@ def test_links_with_hardly_any_room_left_are_decided_exactly():
     across = ring.copy()
     across[3, 1] = -1e-16
     assert not room.links(ring, across)
+
+
+@pytest.mark.parametrize("name", ["run-walk", "random-16-7"])
+def test_a_form_with_inner_points_and_one_without_give_the_same_step(name, monkeypatch):
+    pair = pair_of(name)
+    frame, steps = as_complex(pair.source), []
+    for most in (0, len(pair)):
+        monkeypatch.setattr("starskel.blending.certified.metric.DENSE", most)
+        energy = energy_of(pair, pair.source, pair.target)
+        steps.append(energy._step_by_coordinates(energy.barrier.linear(frame), frame - energy.goal))
+    np.testing.assert_allclose(*steps, atol=1e-9 * size_of(pair))
