@@ -8,6 +8,9 @@ from app.model.point import Point
 from app.model.transforms import Box
 from starskel.arrays import Floats
 
+FARTHEST, NEAREST = 1e-3, 1e6
+"""Parts of the scale by which everything is shown; beyond, shapes are dots, or lines that Qt cannot paint."""
+
 
 @dataclass(frozen=True)
 class Camera:
@@ -21,12 +24,16 @@ class Camera:
         Pixels per document unit.
     centre : (float, float)
         The place in the middle of the view.
+    fitted : float
+        The scale by which everything was shown last; zooming goes no farther from it than `FARTHEST` and
+        `NEAREST` times.
     """
 
     width: float = 1.0
     height: float = 1.0
     scale: float = 4.0
     centre: Point = (50.0, 50.0)
+    fitted: float = 4.0
 
     def to_screen(self, points: Floats) -> Floats:
         """Give places on the screen, (..., 2), y down."""
@@ -53,9 +60,9 @@ class Camera:
         return replace(self, width=width, height=height)
 
     def zoomed(self, factor: float, x: float, y: float) -> "Camera":
-        """Zoom so that what is under a place on the screen stays there."""
+        """Zoom so that what is under a place on the screen stays there, while there is anything to see."""
         fixed = self.to_document(x, y)
-        scale = self.scale * factor
+        scale = min(max(self.scale * factor, FARTHEST * self.fitted), NEAREST * self.fitted)
         centre = (
             fixed[0] - (x - self.width / 2) / scale,
             fixed[1] + (y - self.height / 2) / scale,
@@ -74,4 +81,4 @@ class Camera:
         free = np.maximum(np.array([self.width, self.height]) - 2 * margin, 1.0)
         scale = float((free / (high - low)).min())
         middle = (low + high) / 2
-        return replace(self, scale=scale, centre=(float(middle[0]), float(middle[1])))
+        return replace(self, scale=scale, centre=(float(middle[0]), float(middle[1])), fitted=scale)

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from app.view.painting.camera import Camera
+from app.view.painting.camera import FARTHEST, NEAREST, Camera
 
 CAMERA = Camera(400, 300, 2.5, (30.0, -20.0))
 
@@ -35,3 +35,15 @@ def test_what_is_fitted_fills_the_view_up_to_the_margin(size: float) -> None:
 
 def test_a_view_smaller_than_its_margins_still_shows_something() -> None:
     assert Camera(10, 10).fitting(np.array([(0.0, 0.0), (1.0, 1.0)]), margin=40).scale > 0
+
+
+@pytest.mark.parametrize(("factor", "most"), [(1.25, NEAREST), (1 / 1.25, FARTHEST)])
+def test_a_wheel_that_spins_on_does_not_lose_the_shape(factor, most):
+    fitted = Camera(200, 100).fitting(np.array([(0.0, 0.0), (1e-3, 2e-3)]), 10)
+    camera = fitted
+    for _ in range(1000):
+        camera = camera.zoomed(factor, 30, 40)
+    np.testing.assert_allclose(camera.scale, most * fitted.scale)
+    np.testing.assert_allclose(camera.to_document(30, 40), fitted.to_document(30, 40), atol=1e-12)
+    back = camera.zoomed(1 / factor, 30, 40)
+    np.testing.assert_allclose(back.scale, camera.scale / factor)
