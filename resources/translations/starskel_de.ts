@@ -908,20 +908,24 @@
         <translation>paaren Sie sie anders, setzen Sie anderswohin, was wächst oder schrumpft, oder wählen Sie eine andere Methode</translation>
     </message>
     <message>
-        <source>{first} and {second}</source>
-        <translation>{first} und {second}</translation>
+        <source>{what} at t = {t:.3f}, and no way round was found</source>
+        <translation>bei t = {t:.3f}: {what}, und kein Weg herum wurde gefunden</translation>
     </message>
     <message>
-        <source>those nearest</source>
-        <translation>die nächsten</translation>
-    </message>
-    <message>
-        <source>the rings paired as {ring} meet at t = {t:.3f}, and no way round was found</source>
-        <translation>die Ringe, die als {ring} gepaart sind, treffen sich bei t = {t:.3f}, und kein Weg herum wurde gefunden</translation>
-    </message>
-    <message>
-        <source>choose another method, as stitched, add marks, or widen the narrowest places</source>
+        <source>choose another method, such as stitched, add marks, or widen the narrowest places</source>
         <translation>wählen Sie eine andere Methode wie stitched, setzen Sie mehr Marken oder verbreitern Sie die engsten Stellen</translation>
+    </message>
+    <message>
+        <source>two rings come too near to each other</source>
+        <translation>zwei Ringe kommen einander zu nahe</translation>
+    </message>
+    <message>
+        <source>the ring paired as {ring} crosses itself</source>
+        <translation>der Ring, der als {ring} gepaart ist, kreuzt sich selbst</translation>
+    </message>
+    <message>
+        <source>the rings paired as {ring} and {other} meet</source>
+        <translation>die Ringe, die als {ring} und {other} gepaart sind, treffen sich</translation>
     </message>
     <message>
         <source>a part is to become several, but no straight cut leaves its holes whole and where they belong</source>
@@ -1001,7 +1005,7 @@
     </message>
     <message>
         <source>choose other times</source>
-        <translation>andere Zeiten wählen</translation>
+        <translation>wählen Sie andere Zeiten</translation>
     </message>
 </context>
 <context>

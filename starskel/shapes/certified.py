@@ -163,14 +163,16 @@ class _Proof:
             crossing = self.rings.crossing(self.guide(np.array([t]))[0])
             if crossing and 0 < t < 1:
                 break
-        named = [
-            told("{first} and {second}", first=self.names[i], second=self.names[j]) for i, j in crossing[:1]
-        ] or [told("those nearest")]
         raise StarskelError(
-            told(
-                "the rings paired as {ring} meet at t = {t:.3f}, and no way round was found",
-                ring=named[0],
-                t=t,
-            ),
-            told("choose another method, as stitched, add marks, or widen the narrowest places"),
+            told("{what} at t = {t:.3f}, and no way round was found", what=self._meeting(crossing), t=t),
+            told("choose another method, such as stitched, add marks, or widen the narrowest places"),
         )
+
+    def _meeting(self, crossing: list[tuple[int, int]]) -> str:
+        """Say which rings meet, of those found."""
+        if not crossing:
+            return told("two rings come too near to each other")
+        ring, other = (self.names[k] for k in crossing[0])
+        if ring == other:
+            return told("the ring paired as {ring} crosses itself", ring=ring)
+        return told("the rings paired as {ring} and {other} meet", ring=ring, other=other)

@@ -218,6 +218,19 @@ def test_a_certified_blend_says_which_rings_have_to_meet():
         starskel.blend(inside, outside, pairing=[(0, 0), (1, 1), (2, 2)], method="certified")
 
 
+@pytest.mark.parametrize(
+    ("seed", "what"),
+    [
+        (27, r"the ring paired as \(2, 2\) crosses itself"),
+        (34, r"the rings paired as \(0, 0\) and \(3, 3\) meet"),
+    ],
+)
+def test_a_certified_blend_says_which_rings_meet_where_no_way_round_is_found(monkeypatch, seed, what):
+    monkeypatch.setattr("starskel.shapes.certified.MARGINS", ())  # so that none is looked for
+    with pytest.raises(StarskelError, match=what + r" at t = 0\.\d+, and no way round was found"):
+        starskel.blend(holed_pair(seed), method="certified")
+
+
 def test_parts_that_meet_at_an_end_may_meet_on_the_way_of_a_certified_blend_and_are_named():
     over = [[(0, 0), (10, 0), (10, 10), (0, 10)], [(5, 5), (15, 5), (15, 15), (5, 15)]]
     apart = [over[0], [(25, 5), (35, 5), (35, 15), (25, 15)]]
