@@ -11,6 +11,7 @@ Paths in many polygons are found together, each as it is alone.
 from dataclasses import dataclass
 
 import numpy as np
+import shapely
 
 from starskel.arrays import Flags, Floats, Indices
 from starskel.crossings import crossing_edges, meeting_places
@@ -147,8 +148,10 @@ def _widest(ways: _Ways, task: Task) -> list[Floats | None]:
         searched = searched[ahead[k + searched] > 0]
         width, before = _widths(ways, searched, ahead, task)
         found = width[k + searched] > 0
-        for ring in searched[found].tolist():
-            bends[ring] = _without_loops(ways.at[_trace(before, ring, k + ring)])[1:-1]
+        rings = searched[found].tolist()
+        paths = [ways.at[_trace(before, ring, k + ring)] for ring in rings]
+        for ring, path, simple in zip(rings, paths, _are_simple(paths), strict=True):
+            bends[ring] = (path if simple else _without_loops(path))[1:-1]
         searched = searched[~found]
     return bends
 
@@ -159,16 +162,19 @@ def _widths(ways: _Ways, searched: Indices, ahead: Indices, task: Task) -> tuple
     links = np.full(k, -1)
     links[searched] = ahead[k + searched]
     left = _levels(ways.sees, k + searched)
-    on_path = (ahead >= 0) & (ahead + left == links[ways.ring])
+    on_path = np.flatnonzero((ahead >= 0) & (ahead + left == links[ways.ring]))
+    level = ahead[on_path]
+    order = np.argsort(level, kind="stable")
+    on_path, level = on_path[order], level[order]
+    berth = _berths_between(ways, on_path, level, task)
     width, before = np.zeros(len(ways.at)), np.zeros(len(ways.at), dtype=np.intp)
     width[searched] = np.inf
-    front = searched
-    for level in range(1, links.max(initial=0) + 1):
-        found = np.flatnonzero(on_path & (ahead == level))
-        reach = np.minimum(width[front][:, None], _berths_between(ways, front, found, task))
+    ends = np.searchsorted(level, np.arange(level.max(initial=0) + 2))
+    for first, last, end in zip(ends, ends[1:], ends[2:], strict=False):
+        front, found = on_path[first:last], on_path[last:end]
+        reach = np.minimum(width[front][:, None], berth[first:last, last:end])
         before[found] = front[reach.argmax(axis=0)]
         width[found] = np.minimum(reach.max(axis=0), ways.room[found])
-        front = found
     return width, before
 
 
@@ -192,6 +198,14 @@ def _trace(before: Indices, start: int, end: int) -> list[int]:
     return way[::-1]
 
 
+def _are_simple(paths: list[Floats]) -> Flags:
+    if not paths:
+        return np.empty(0, dtype=bool)
+    owner = np.repeat(np.arange(len(paths)), list(map(len, paths)))
+    simple: Flags = shapely.is_simple(shapely.linestrings(np.concatenate(paths), indices=owner))
+    return simple
+
+
 def _without_loops(path: Floats) -> Floats:
     """Cut off the loops of a path: over given places the one with fewest links may still cross itself."""
     while len(path) > 3:
@@ -205,15 +219,15 @@ def _without_loops(path: Floats) -> Floats:
     return path
 
 
-def _berths_between(ways: _Ways, first: Indices, second: Indices, task: Task) -> Floats:
-    """Give the berths of all segments from first to second places; 0 where no path may run."""
-    sees = ways.sees[np.ix_(first, second)]
+def _berths_between(ways: _Ways, places: Indices, level: Indices, task: Task) -> Floats:
+    """Give the berths of all links from places to those at the next level; 0 where no path may run."""
+    sees = ways.sees[np.ix_(places, places)] & (level[:, None] + 1 == level)
     a, b = np.nonzero(sees)
-    segments = ways.at[np.stack([first[a], second[b]], axis=1)]
-    wide = berths(segments, ways.ring[first[a]], ways.corners, ways.reflex, task)
-    free = wide > ways.slack[ways.ring[first[a]]]
+    ends = places[np.stack([a, b])]
+    wide = berths(ways.at[ends.T], ways.ring[ends[0]], ways.corners, ways.reflex, task)
+    free = wide > ways.slack[ways.ring[ends[0]]]
     reach = np.zeros(sees.shape)
     reach[a[free], b[free]] = wide[free]
-    a, b = first[a[~free]], second[b[~free]]
+    a, b = ends[:, ~free]
     ways.sees[a, b] = ways.sees[b, a] = False
     return reach

@@ -8,34 +8,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from starskel.arrays import Flags, Indices, Signs
+from starskel.arrays import Flags, Indices
 from starskel.points import Points
 from starskel.rings import ranges
 from starskel.task import Task
 from starskel.triangulation import Triangulation
-
-
-@dataclass(frozen=True, eq=False)
-class _Views:
-    """Views through half-edges between a right and a left limit (all arrays of int)."""
-
-    viewer: Indices
-    edge: Indices
-    right: Indices
-    left: Indices
-
-    def keep(self, chosen: Flags) -> "_Views":
-        """Give some of the views."""
-        return _Views(self.viewer[chosen], self.edge[chosen], self.right[chosen], self.left[chosen])
-
-    def join(self, other: "_Views") -> "_Views":
-        """Give these views and others."""
-        return _Views(
-            np.concatenate([self.viewer, other.viewer]),
-            np.concatenate([self.edge, other.edge]),
-            np.concatenate([self.right, other.right]),
-            np.concatenate([self.left, other.left]),
-        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,9 +34,27 @@ class Places:
     place: Indices
     triangle: Indices
 
-    def turn(self, place: Indices, first: Indices, second: Indices) -> Signs:
-        """Tell whether places turn left (1) or right (-1) to look from the first to the second point."""
-        return self.points.orientation(self.rows[place], first, second)
+
+@dataclass(frozen=True, eq=False)
+class _Behind:
+    """What views meet behind half-edges: the far corner of the triangle, and the places in it.
+
+    Attributes
+    ----------
+    first, counts : (3 f,) arrays of int
+        What is met behind each half-edge: so many entries of the arrays below, from a first one on. The first
+        is the corner.
+    row, place : arrays of int
+        The rows of what is met among the points; which place it is, -1 for corners.
+    through : (2, 3 f) array of int
+        Behind which half-edges the views go on to the right and to the left of the corner; -1 at the ring.
+    """
+
+    first: Indices
+    counts: Indices
+    row: Indices
+    place: Indices
+    through: Indices
 
 
 def sightlines(ground: Triangulation, places: Places, task: Task) -> Flags:
@@ -77,62 +72,78 @@ def sightlines(ground: Triangulation, places: Places, task: Task) -> Flags:
         If the task is told to stop.
     """
     sees = np.zeros((len(places.rows), len(places.rows)), dtype=bool)
+    behind = _behind(ground, places)
     views = _from_within(ground, places, sees)
-    while len(views.viewer):
+    while views.shape[1]:
         task.reach(0)
-        views = views.keep(ground.twins[views.edge] >= 0)
-        _note(ground, places, views, sees)
-        views = _onward(ground, places, views)
+        views = _onward(places, behind, views, sees)
     return sees | sees.T
 
 
-def _from_within(ground: Triangulation, places: Places, sees: Flags) -> _Views:
-    """Note which places lie in one triangle; give the views out of it, through the edges that lie ahead."""
+def _behind(ground: Triangulation, places: Places) -> _Behind:
+    edges = np.arange(len(ground.twins))
+    triangle = edges // 3
+    begun, end = (np.searchsorted(places.triangle, triangle, side) for side in ("left", "right"))
+    edge, home = ranges(begun, end - begun)
+    after, last = (edges - edges % 3 + (edges + step) % 3 for step in (1, 2))
+    corner = ground.rings.rows[ground.triangles.ravel()[last]]
+    counts = end - begun + 1
+    first = np.cumsum(counts) - counts
+    row, place = np.empty(counts.sum(), dtype=np.intp), np.full(counts.sum(), -1)
+    row[first] = corner
+    others = np.arange(len(home)) + edge + 1
+    row[others], place[others] = places.rows[places.place[home]], places.place[home]
+    return _Behind(first, counts, row, place, ground.twins[np.stack([after, last])])
+
+
+def _from_within(ground: Triangulation, places: Places, sees: Flags) -> Indices:
+    """Note which places lie in one triangle; give the views out of it, through the edges that lie ahead.
+
+    Returns
+    -------
+    (4, v) array of int
+        The viewers, the half-edges behind which the views are to be continued, and their right and left
+        limits, as rows among the points.
+    """
     viewer, edge = np.repeat(places.place, 3), (3 * places.triangle[:, None] + np.arange(3)).ravel()
-    right, left = _ends(ground, edge)
-    turns = places.turn(viewer, right, left)
-    within = np.repeat(
-        (turns.reshape(-1, 3) >= 0).all(axis=1), 3
-    )  # others were rounded out of their triangle
-    views = _Views(viewer, edge, right, left).keep(within & (turns > 0))
-    home, other = _in_triangles(places, places.triangle)
-    both = within[3 * home] & within[3 * other]
+    corners = ground.rings.rows[ground.triangles]
+    right, left = corners.ravel()[edge], np.roll(corners, -1, axis=1).ravel()[edge]
+    turns = places.points.orientation(places.rows[viewer], right, left)
+    within = (turns.reshape(-1, 3) >= 0).all(axis=1)  # others were rounded out of their triangle
+    home, other = _in_one_triangle(places)
+    both = within[home] & within[other]
     sees[places.place[home[both]], places.place[other[both]]] = True
-    return views
+    behind = ground.twins[edge]
+    return np.stack([viewer, behind, right, left])[:, np.repeat(within, 3) & (turns > 0) & (behind >= 0)]
 
 
-def _note(ground: Triangulation, places: Places, views: _Views, sees: Flags) -> None:
-    """Note which places in the triangles behind the views lie within the limits."""
-    view, home = _in_triangles(places, ground.twins[views.edge] // 3)
-    viewer, place = views.viewer[view], places.place[home]
-    row = places.rows[place]
-    within = (places.turn(viewer, views.right[view], row) > 0) & (
-        places.turn(viewer, row, views.left[view]) > 0
-    )
-    sees[viewer[within], place[within]] = True
-
-
-def _in_triangles(places: Places, triangles: Indices) -> tuple[Indices, Indices]:
-    """Pair the index of each given triangle with the places that lie in it."""
-    first, end = (np.searchsorted(places.triangle, triangles, side) for side in ("left", "right"))
+def _in_one_triangle(places: Places) -> tuple[Indices, Indices]:
+    """Pair the places with those in the same triangle."""
+    first, end = (np.searchsorted(places.triangle, places.triangle, side) for side in ("left", "right"))
     return ranges(first, end - first)
 
 
-def _onward(ground: Triangulation, places: Places, views: _Views) -> _Views:
-    """Give the views through the two far edges of the triangles behind."""
-    behind = ground.twins[views.edge]
-    triangle = behind - behind % 3
-    after, last = triangle + (behind + 1) % 3, triangle + (behind + 2) % 3
-    apex, _ = _ends(ground, last)
-    left_of_right = places.turn(views.viewer, views.right, apex) > 0
-    right_of_left = places.turn(views.viewer, apex, views.left) > 0
-    left = np.where(right_of_left, apex, views.left)
-    right = np.where(left_of_right, apex, views.right)
-    rightward = _Views(views.viewer, after, views.right, left).keep(left_of_right)
-    return rightward.join(_Views(views.viewer, last, right, views.left).keep(right_of_left))
+def _onward(places: Places, behind: _Behind, views: Indices, sees: Flags) -> Indices:
+    """Note which places lie within the limits of views in the triangles behind; give the views onward.
 
-
-def _ends(ground: Triangulation, edges: Indices) -> tuple[Indices, Indices]:
-    """Give the rows of the points from which and to which half-edges run."""
-    corners = ground.rings.rows[ground.triangles].ravel()
-    return corners[edges], corners[edges - edges % 3 + (edges + 1) % 3]
+    What lies there and the far corners are told in one go: many calls on a little take longer.
+    """
+    viewer, edge, right, left = views
+    counts = behind.counts[edge]
+    view, met = ranges(behind.first[edge], counts)
+    row, place = behind.row[met], behind.place[met]
+    eyes, limits = places.rows[viewer][view], views[2:, view]
+    turns = places.points.orientation(
+        np.concatenate([eyes, eyes]), np.concatenate([limits[0], row]), np.concatenate([row, limits[1]])
+    )
+    left_of_right, right_of_left = turns.reshape(2, -1) > 0
+    seen = left_of_right & right_of_left & (place >= 0)
+    sees[viewer[view[seen]], place[seen]] = True
+    corners = np.cumsum(counts) - counts
+    corner, left_of_right, right_of_left = row[corners], left_of_right[corners], right_of_left[corners]
+    after, last = behind.through[:, edge]
+    rightward = np.stack([viewer, after, right, np.where(right_of_left, corner, left)])
+    leftward = np.stack([viewer, last, np.where(left_of_right, corner, right), left])
+    return np.concatenate(
+        [rightward[:, left_of_right & (after >= 0)], leftward[:, right_of_left & (last >= 0)]], axis=1
+    )
