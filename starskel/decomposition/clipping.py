@@ -55,13 +55,15 @@ class Convex:
         share = side[crossing] / (side[crossing] - side[ahead])
         met = self.corners[crossing] + share * (self.corners[ahead] - self.corners[crossing])
         kept &= (np.maximum.reduceat(side, first) > 0).repeat(self.size[some])
-        corners = np.concatenate([self.corners[kept], met])
-        order = np.concatenate([*kept.nonzero(), crossing + 0.5]).argsort()
         count = kept.astype(np.intp)
         count[crossing] += 1
+        place = count.cumsum() - count
+        corners = np.empty(int(count.sum()), dtype=np.complex128)
+        corners[place[kept]] = self.corners[kept]
+        corners[place[crossing] + kept[crossing]] = met
         size = np.zeros_like(self.size)
         size[some] = np.add.reduceat(count, first)
-        return Convex(corners[order], size)
+        return Convex(corners, size)
 
     def measured(self) -> tuple[Complex, Floats]:
         """Give the centroids and the areas of the cells, 0 for those of which nothing is left."""

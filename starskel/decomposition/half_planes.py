@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.arrays import Complex, Flags, Floats, Indices
-from starskel.decomposition.clipping import Convex, boxes
+from starskel.decomposition.clipping import Convex
 from starskel.rings import Rings
 from starskel.task import UNWATCHED, Task
 
@@ -91,34 +91,6 @@ def _hulls(corners: Complex, owner: Indices, count: int) -> Convex:
     following = corners[Rings(order, size[size > 0]).following]
     apart = np.abs(following - corners) >= NEAR * np.abs(off[order])
     return Convex(corners[apart], np.bincount(owner[apart], minlength=count))
-
-
-def kernels_of_chains(ends: Complex, chains: Rings, owner: Indices, task: Task = UNWATCHED) -> Convex:
-    """Give what lies to the left of all links of chains, in the boxes round all chains of their owners.
-
-    Parameters
-    ----------
-    ends : (s, h) complex array
-        The vertices of the chains on so many sides.
-    chains : Rings
-        They are not closed.
-    owner : (k,) array of int
-        Whose the chains are, in rising order.
-
-    Returns
-    -------
-    s k cells, side by side.
-    """
-    sides, h = ends.shape
-    foremost = chains.first[np.searchsorted(owner, np.arange(owner[-1] + 1))]
-    shift = np.arange(sides)[:, None]
-    box = boxes(ends.ravel(), (foremost + h * shift).ravel()).corners.reshape(sides, -1, 4)[:, owner]
-    links = np.delete(np.arange(h), chains.last)
-    start = np.concatenate([ends[:, links].ravel(), box.ravel()])
-    end = np.concatenate([ends[:, links + 1].ravel(), np.roll(box, -1, axis=2).ravel()])
-    cell = chains.owner[links] + len(owner) * shift
-    order = np.argsort(np.concatenate([cell.ravel(), np.arange(sides * len(owner)).repeat(4)]), kind="stable")
-    return left_of_all(Lines(start[order], (end - start)[order], np.tile(chains.counts + 3, sides)), task)
 
 
 def _thinned(lines: Lines, task: Task) -> Lines:

@@ -109,12 +109,12 @@ def _from_within(ground: Triangulation, places: Places, sees: Flags) -> Indices:
     corners = ground.rings.rows[ground.triangles]
     right, left = corners.ravel()[edge], np.roll(corners, -1, axis=1).ravel()[edge]
     turns = places.points.orientation(places.rows[viewer], right, left)
-    within = (turns.reshape(-1, 3) >= 0).all(axis=1)  # others were rounded out of their triangle
+    within = np.repeat((turns.reshape(-1, 3) >= 0).all(axis=1), 3)  # others were rounded out of it
     home, other = _in_one_triangle(places)
-    both = within[home] & within[other]
+    both = within[3 * home] & within[3 * other]
     sees[places.place[home[both]], places.place[other[both]]] = True
     behind = ground.twins[edge]
-    return np.stack([viewer, behind, right, left])[:, np.repeat(within, 3) & (turns > 0) & (behind >= 0)]
+    return np.stack([viewer, behind, right, left])[:, within & (turns > 0) & (behind >= 0)]
 
 
 def _in_one_triangle(places: Places) -> tuple[Indices, Indices]:
@@ -136,7 +136,7 @@ def _onward(places: Places, behind: _Behind, views: Indices, sees: Flags) -> Ind
     turns = places.points.orientation(
         np.concatenate([eyes, eyes]), np.concatenate([limits[0], row]), np.concatenate([row, limits[1]])
     )
-    left_of_right, right_of_left = turns.reshape(2, -1) > 0
+    left_of_right, right_of_left = turns[: len(row)] > 0, turns[len(row) :] > 0
     seen = left_of_right & right_of_left & (place >= 0)
     sees[viewer[view[seen]], place[seen]] = True
     corners = np.cumsum(counts) - counts

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from starskel.decomposition.clipping import boxes
-from starskel.decomposition.half_planes import WIDE, Lines, kernels_of_chains, left_of_all
+from starskel.decomposition.half_planes import WIDE, Lines, left_of_all
 from starskel.errors import Cancelled
 from starskel.rings import Rings
 from starskel.task import Task
@@ -85,15 +85,6 @@ def test_rings_of_many_vertices_are_thinned():
     for shape in (ring, spiral(4 * WIDE, 2), subdivided(comb(2), WIDE)):
         lines = round_all(numbers(shape))
         np.testing.assert_allclose(left_of_all(lines).measured()[1], one_by_one(lines), rtol=1e-9, atol=1e-9)
-
-
-def test_chains_end_at_the_boxes_of_their_owners():
-    ends = np.array([[0, 2 + 0j, 2 + 2j, 0 + 1j, 0j]])
-    chains = Rings(np.arange(5), np.array([3, 2]))
-    cells = kernels_of_chains(ends, chains, np.array([0, 0]))
-    np.testing.assert_allclose(cells.measured()[1], (4, 4))
-    alone = kernels_of_chains(np.tile(ends, (2, 1)), chains, np.array([0, 1]))
-    np.testing.assert_allclose(alone.measured()[1], (4, 0, 4, 0))
 
 
 def test_it_can_be_stopped():
