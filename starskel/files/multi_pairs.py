@@ -13,14 +13,14 @@ from starskel.files.pair_file import PairFile
 from starskel.files.shapes import Row, check_edges
 from starskel.limits import DOCUMENT_RINGS, Tally, check_limit
 from starskel.shapes.given import Places
-from starskel.shapes.pairing import Link, checked_pairing, suggest_pairing
+from starskel.shapes.pairing import RingLink, checked_pairing, suggest_pairing
 from starskel.shapes.shape import Shape
 
 FORMAT = "polygon-multi-pairs/1"
 
 
 class _Place(msgspec.Struct, frozen=True):
-    pair: Link
+    pair: RingLink
     at: Row
 
 
@@ -30,7 +30,7 @@ class _Entry(msgspec.Struct, frozen=True, kw_only=True):
     p: list[list[Row]]
     q: list[list[Row]]
     marks: list[list[Mark]] = []
-    pairing: list[Link] | None = None
+    pairing: list[RingLink] | None = None
     places: list[_Place] = []
 
 
@@ -70,7 +70,7 @@ class MultiPair:
     id: str
     source: Shape
     target: Shape
-    pairing: tuple[Link, ...]
+    pairing: tuple[RingLink, ...]
     marks: tuple[tuple[Mark, ...], ...]
     places: Places
     origin: str = ""
@@ -110,7 +110,7 @@ def _checked(path: Path, entry: _Entry) -> MultiPair:
     return MultiPair(entry.id, source, target, pairing, marks, places, entry.source)
 
 
-def _pairing(entry: _Entry, source: Shape, target: Shape) -> list[Link]:
+def _pairing(entry: _Entry, source: Shape, target: Shape) -> list[RingLink]:
     if entry.pairing is not None:
         return entry.pairing
     if source.outer == target.outer:

@@ -16,7 +16,7 @@ from starskel.shapes.correspondence import ShapeCorrespondence
 from starskel.shapes.given import Marks, Places
 from starskel.shapes.joining import blend_shapes
 from starskel.shapes.match import match
-from starskel.shapes.pairing import Link
+from starskel.shapes.pairing import RingLink
 from starskel.shapes.shape import Shape, ShapeLike
 from starskel.shapes.shape_blend import ShapeBlend
 from starskel.task import Progress, ShouldStop, Task
@@ -77,7 +77,7 @@ def blend(
     marks: Marks = ...,
     method: str = ...,
     *,
-    pairing: Iterable[Link] | None = ...,
+    pairing: Iterable[RingLink] | None = ...,
     places: Places | None = ...,
     joined: bool = ...,
     roots: Places | None = ...,
@@ -94,7 +94,7 @@ def blend(  # noqa: PLR0913 -- the calls differ in two or three of them
     marks: Any = (),
     method: str | None = None,
     *,
-    pairing: Iterable[Link] | None = None,
+    pairing: Iterable[RingLink] | None = None,
     places: Places | None = None,
     joined: bool = True,
     decomposition: Decomposition | None = None,
@@ -201,7 +201,7 @@ def _pair(  # noqa: PLR0913, PLR0917 -- what match takes
     source: Any,
     target: Any,
     marks: Any,
-    pairing: Iterable[Link] | None,
+    pairing: Iterable[RingLink] | None,
     places: Places | None,
     should_stop: ShouldStop | None,
 ) -> Correspondence | ShapeCorrespondence:

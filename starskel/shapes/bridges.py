@@ -31,7 +31,7 @@ DRAWN = 4
 
 
 @dataclass(frozen=True, eq=False)
-class Chain:
+class BridgeChain:
     """Bridges through both regions.
 
     Attributes
@@ -49,7 +49,7 @@ class Chain:
     bends: Floats
 
 
-def chain_of(pair: Correspondence, task: Task) -> Chain:
+def chain_of(pair: Correspondence, task: Task) -> BridgeChain:
     """Give the cheapest chain: short bridges, in source and target, that part every ring well.
 
     Raises
@@ -61,7 +61,7 @@ def chain_of(pair: Correspondence, task: Task) -> Chain:
     bridges = Bridges(pair, regions)
     for search in STRAIGHT:
         for found in chains(bridges, search, task):
-            return Chain(found, (0,) * len(found), np.empty((2, 0, 2)))
+            return BridgeChain(found, (0,) * len(found), np.empty((2, 0, 2)))
     bent = list(islice(_bent(bridges, regions, task), DRAWN))
     if not bent:
         raise StarskelError(
@@ -71,17 +71,17 @@ def chain_of(pair: Correspondence, task: Task) -> Chain:
     return min(bent, key=lambda chain: sum(chain.counts))
 
 
-def _bent(bridges: Bridges, regions: Sequence[Region], task: Task) -> Iterator[Chain]:
+def _bent(bridges: Bridges, regions: Sequence[Region], task: Task) -> Iterator[BridgeChain]:
     """Give the chains that can be drawn, the cheapest first."""
     for found in chains(bridges, BENT, task):
         task.reach(0)
         bends = bends_of(regions, found, task)
         if bends is not None:
             counts = tuple(map(len, bends[0]))
-            yield Chain(found, counts, np.stack([np.concatenate(own) for own in bends]))
+            yield BridgeChain(found, counts, np.stack([np.concatenate(own) for own in bends]))
 
 
-def halves(pair: Correspondence, chain: Chain) -> tuple[Indices, Indices]:
+def halves(pair: Correspondence, chain: BridgeChain) -> tuple[Indices, Indices]:
     """Give the rows of the simple polygons right and left of a chain, counter-clockwise.
 
     The bends' rows follow those of the pair.

@@ -9,7 +9,7 @@ import numpy as np
 from starskel.arrays import Floats, ReadOnlyArrays
 from starskel.correspondence import Correspondence
 from starskel.correspondence.marks import Mark
-from starskel.shapes.pairing import Link
+from starskel.shapes.pairing import RingLink
 from starskel.shapes.shape import Shape
 
 
@@ -28,7 +28,7 @@ class PartPair(ReadOnlyArrays):
         Where the rows are at t = 0 and 1: as in the pair, but holes without a partner are a point.
     """
 
-    links: tuple[Link, ...]
+    links: tuple[RingLink, ...]
     pair: Correspondence
     ends: Floats
 
@@ -80,7 +80,7 @@ class ShapeCorrespondence:
 
     source: Shape
     target: Shape
-    pairing: tuple[Link, ...]
+    pairing: tuple[RingLink, ...]
     parts: tuple[PartPair, ...]
     marks: tuple[tuple[Mark, ...], ...] = ()
 

@@ -11,12 +11,12 @@ from starskel.correspondence.marks import Mark, as_marks
 from starskel.errors import InvalidMarks, told
 from starskel.polygon import Polygon
 from starskel.shapes.cuts import Partner, cut_between
-from starskel.shapes.pairing import Link
+from starskel.shapes.pairing import RingLink
 from starskel.shapes.shape import Shape
 
 Place = tuple[float, float]
 Marks = Sequence[Iterable[Mark]]
-Places = Mapping[Link, Place]
+Places = Mapping[RingLink, Place]
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,13 +36,13 @@ class Given:
     """
 
     shapes: tuple[Shape, Shape]
-    links: tuple[Link, ...]
+    links: tuple[RingLink, ...]
     marks: tuple[tuple[Mark, ...], ...]
     places: Places
 
     @classmethod
     def checked(
-        cls, shapes: tuple[Shape, Shape], links: tuple[Link, ...], marks: Marks, places: Places
+        cls, shapes: tuple[Shape, Shape], links: tuple[RingLink, ...], marks: Marks, places: Places
     ) -> "Given":
         """Check that marks and places belong to rings.
 
@@ -68,17 +68,17 @@ class Given:
         return cls(shapes, links, lists, known)
 
     @cached_property
-    def outlines(self) -> dict[Link, tuple[Polygon | None, Polygon | None]]:
+    def outlines(self) -> dict[RingLink, tuple[Polygon | None, Polygon | None]]:
         """The links of outlines, and the polygons that they pair: whole outlines, or pieces of them."""
         own = [link for link in self.links if self._owners(link) <= {-1}]
-        pieces: tuple[dict[Link, Polygon], dict[Link, Polygon]] = ({}, {})
+        pieces: tuple[dict[RingLink, Polygon], dict[RingLink, Polygon]] = ({}, {})
         for side in (0, 1):
             for ring in sorted({ring for link in own if (ring := link[side]) is not None}):
                 links = [link for link in own if link[side] == ring]
                 pieces[side].update(self._cut(side, ring, links))
         return {link: (pieces[0].get(link), pieces[1].get(link)) for link in own}
 
-    def marks_of(self, link: Link) -> tuple[Mark, ...]:
+    def marks_of(self, link: RingLink) -> tuple[Mark, ...]:
         """Give the marks of two rings that are partners.
 
         Raises
@@ -97,25 +97,25 @@ class Given:
         return marks
 
     @cached_property
-    def holes(self) -> dict[Link, list[Link]]:
+    def holes(self) -> dict[RingLink, list[RingLink]]:
         """The links of holes, by the outlines' that they belong to."""
-        found: dict[Link, list[Link]] = {link: [] for link in self.outlines}
+        found: dict[RingLink, list[RingLink]] = {link: [] for link in self.outlines}
         for link in self.links:
             if link not in self.outlines:
                 found[self._outline_of(link)].append(link)
         return found
 
-    def rings_of(self, link: Link) -> tuple[Polygon | None, Polygon | None]:
+    def rings_of(self, link: RingLink) -> tuple[Polygon | None, Polygon | None]:
         """Give the rings that a link names."""
         source, target = (
             None if ring is None else shape.rings[ring] for shape, ring in zip(self.shapes, link, strict=True)
         )
         return source, target
 
-    def _owners(self, link: Link) -> set[int]:
+    def _owners(self, link: RingLink) -> set[int]:
         return {shape.outer[ring] for shape, ring in zip(self.shapes, link, strict=True) if ring is not None}
 
-    def _cut(self, side: int, ring: int, links: list[Link]) -> dict[Link, Polygon]:
+    def _cut(self, side: int, ring: int, links: list[RingLink]) -> dict[RingLink, Polygon]:
         whole = self.shapes[side].rings[ring]
         if len(links) == 1:
             return {links[0]: whole}
@@ -158,7 +158,7 @@ class Given:
         ]
         return Partner(theirs.rings[other], tuple(holes))
 
-    def _outline_of(self, link: Link) -> Link:
+    def _outline_of(self, link: RingLink) -> RingLink:
         for outline, pieces in self.outlines.items():
             if all(
                 ring is None or (shape.outer[ring] == own and _holds(piece, shape.rings[ring]))

@@ -11,7 +11,7 @@ from starskel.errors import InvalidMarks, InvalidPolygon, told
 from starskel.shapes.correspondence import ShapeCorrespondence
 from starskel.shapes.given import Given, Marks, Places
 from starskel.shapes.matching import matched_shapes
-from starskel.shapes.pairing import Link, checked_pairing, suggest_pairing
+from starskel.shapes.pairing import RingLink, checked_pairing, suggest_pairing
 from starskel.shapes.shape import Shape, ShapeLike
 from starskel.task import ShouldStop, Task
 
@@ -32,7 +32,7 @@ def match(
     target: ShapeLike,
     marks: Marks = (),
     *,
-    pairing: Iterable[Link] | None = None,
+    pairing: Iterable[RingLink] | None = None,
     places: Places | None = None,
     should_stop: ShouldStop | None = None,
 ) -> ShapeCorrespondence: ...
@@ -44,7 +44,7 @@ def match(
     target: Shape | shapely.MultiPolygon,
     marks: Marks = (),
     *,
-    pairing: Iterable[Link] | None = None,
+    pairing: Iterable[RingLink] | None = None,
     places: Places | None = None,
     should_stop: ShouldStop | None = None,
 ) -> ShapeCorrespondence: ...
@@ -55,7 +55,7 @@ def match(  # noqa: PLR0913 -- all but the first three are seldom given
     target: Any,
     marks: Any = (),
     *,
-    pairing: Iterable[Link] | None = None,
+    pairing: Iterable[RingLink] | None = None,
     places: Places | None = None,
     should_stop: ShouldStop | None = None,
 ) -> Correspondence | ShapeCorrespondence:

@@ -13,7 +13,7 @@ from starskel.polygon import Polygon
 from starskel.shapes.correspondence import PartPair, ShapeCorrespondence, region_pair
 from starskel.shapes.given import Given
 from starskel.shapes.likeness import Similarity, similarity_of
-from starskel.shapes.pairing import Link, turn_between
+from starskel.shapes.pairing import RingLink, turn_between
 from starskel.shapes.points import beside, carried, room_for, tiny_copy
 from starskel.task import Task
 
@@ -28,7 +28,7 @@ def matched_shapes(given: Given, task: Task) -> ShapeCorrespondence:
     Cancelled
         If the task is told to stop.
     """
-    parts: dict[Link, PartPair] = {}
+    parts: dict[RingLink, PartPair] = {}
     matching = _RingMatching(turn_between(*given.shapes, given.links), task)
     for link, (source, target) in given.outlines.items():
         if source is not None and target is not None:
@@ -44,7 +44,7 @@ def matched_shapes(given: Given, task: Task) -> ShapeCorrespondence:
 
 def _with_holes(
     given: Given,
-    link: Link,
+    link: RingLink,
     outline: Correspondence,
     pieces: tuple[Polygon, Polygon],
     matching: "_RingMatching",
@@ -89,7 +89,7 @@ class _RingMatching:
         return match(source, target, marks, should_stop=self.task.should_stop)
 
 
-def _part(links: tuple[Link, ...], rings: list[Correspondence], ends: list[Correspondence]) -> PartPair:
+def _part(links: tuple[RingLink, ...], rings: list[Correspondence], ends: list[Correspondence]) -> PartPair:
     true = region_pair(ends)
     return PartPair(links, region_pair(rings), np.stack([true.source, true.target]))
 
@@ -100,7 +100,7 @@ def _around(copy: Floats) -> list[float]:
     return [*(2 * low - high).tolist(), *(2 * high - low).tolist()]
 
 
-def _alone(given: Given, link: Link, paired: list[PartPair]) -> PartPair:
+def _alone(given: Given, link: RingLink, paired: list[PartPair]) -> PartPair:
     """Let a part shrink to a point, or grow from one, with all its holes."""
     side = 0 if link[0] is None else 1  # where it is a point
     links = link, *given.holes[link]

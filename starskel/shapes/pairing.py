@@ -12,7 +12,7 @@ from starskel.arrays import Floats
 from starskel.errors import InvalidMarks, told
 from starskel.shapes.shape import Shape, ShapeLike
 
-Link = tuple[int | None, int | None]
+RingLink = tuple[int | None, int | None]
 """A ring of the source and a ring of the target; None where there is no partner."""
 
 Polygons = NDArray[np.object_]
@@ -27,7 +27,7 @@ TURNING_PRICE = 0.1
 """What half a turn costs for each ring: as much as a tenth of it that does not overlap."""
 
 
-def suggest_pairing(source: ShapeLike, target: ShapeLike) -> list[Link]:
+def suggest_pairing(source: ShapeLike, target: ShapeLike) -> list[RingLink]:
     """Propose which rings become which, from where they lie.
 
     Both shapes are laid on each other, middle on middle and in one size. Then parts are paired so that all
@@ -65,7 +65,7 @@ def suggest_pairing(source: ShapeLike, target: ShapeLike) -> list[Link]:
     return sorted(links, key=_order)
 
 
-def turn_between(source: Shape, target: Shape, pairing: Iterable[Link]) -> float:
+def turn_between(source: Shape, target: Shape, pairing: Iterable[RingLink]) -> float:
     """Give by about how much the source turns as a whole; 0 for one ring, which tells by itself."""
     links = [(i, j) for i, j in pairing if i is not None and j is not None]
     if len(links) < 2:
@@ -89,7 +89,7 @@ def turn_between(source: Shape, target: Shape, pairing: Iterable[Link]) -> float
     return turn
 
 
-def checked_pairing(source: Shape, target: Shape, pairing: Iterable[Link]) -> tuple[Link, ...]:
+def checked_pairing(source: Shape, target: Shape, pairing: Iterable[RingLink]) -> tuple[RingLink, ...]:
     """Give the links as given, when every ring is in one.
 
     Raises
@@ -136,7 +136,7 @@ def _check_holes(name: str, shape: Shape, named: Sequence[int]) -> None:
         )
 
 
-def _as_link(given: Iterable[int | None]) -> Link:
+def _as_link(given: Iterable[int | None]) -> RingLink:
     try:
         i, j = (None if ring is None else operator.index(ring) for ring in given)
     except (TypeError, ValueError):
@@ -149,15 +149,15 @@ def _as_link(given: Iterable[int | None]) -> Link:
 _PAIRS = "give pairs (ring of the source, ring of the target), or None for one of them"
 
 
-def _holes(shapes: tuple[Shape, Shape], outline: Link) -> list[Link]:
+def _holes(shapes: tuple[Shape, Shape], outline: RingLink) -> list[RingLink]:
     """Pair the holes of a part, the outlines laid on each other."""
     first, second = (() if k is None else shape.holes(k) for shape, k in zip(shapes, outline, strict=True))
     return _paired(shapes, first, second, outline)
 
 
 def _paired(
-    shapes: tuple[Shape, Shape], first: Sequence[int], second: Sequence[int], around: Link | None = None
-) -> list[Link]:
+    shapes: tuple[Shape, Shape], first: Sequence[int], second: Sequence[int], around: RingLink | None = None
+) -> list[RingLink]:
     """Pair some rings of both shapes, those around them laid on each other, or else all these themselves."""
     if not first or not second:
         return [*((i, None) for i in first), *((None, j) for j in second)]
@@ -168,7 +168,7 @@ def _paired(
     )
     found = min(_assigned(first_laid, second_laid, turn, around is not None) for turn in TURNS.tolist())
     rows, columns = found[2]
-    links: list[Link] = [(first[i], second[j]) for i, j in zip(rows, columns, strict=True)]
+    links: list[RingLink] = [(first[i], second[j]) for i, j in zip(rows, columns, strict=True)]
     links += [(k, None) for i, k in enumerate(first) if i not in rows]
     links += [(None, k) for j, k in enumerate(second) if j not in columns]
     return links
@@ -221,5 +221,5 @@ def _costs(first: Polygons, second: Polygons) -> Floats:
     return np.asarray(1 - common / union + apart + sizes)
 
 
-def _order(link: Link) -> tuple[float, float]:
+def _order(link: RingLink) -> tuple[float, float]:
     return tuple(np.inf if ring is None else ring for ring in link)  # type: ignore[return-value]
