@@ -1007,6 +1007,14 @@
         <source>choose other times</source>
         <translation>wählen Sie andere Zeiten</translation>
     </message>
+    <message>
+        <source>the blend jumps</source>
+        <translation>der Übergang springt</translation>
+    </message>
+    <message>
+        <source>take a larger tolerance, or another method</source>
+        <translation>nehmen Sie eine größere Toleranz oder eine andere Methode</translation>
+    </message>
 </context>
 <context>
     <name>AboutDialog</name>

@@ -38,8 +38,8 @@ def add_render(parser: argparse.ArgumentParser) -> None:
         " each of the frames; an animation; or the numbers (the usual one of the format)",
     )
     add_times(parser)
-    parser.add_argument("--eased", action="store_true", help="frames apart as they are played, with easing")
-    parser.add_argument("--separate", action="store_true", help="of shapes move each part by itself")
+    parser.add_argument("--eased", action="store_true", help="space frames as they are played, with easing")
+    parser.add_argument("--separate", action="store_true", help="move each part of a shape by itself")
     _add_json(parser)
     _add_overlays(parser.add_argument_group("what is to be seen besides"))
     _add_look(parser.add_argument_group("how it looks (lengths in points, colours as #rrggbb)"))
@@ -62,7 +62,7 @@ def add_morph(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--method", choices=METHODS, default="stitched", help="(stitched)")
     parser.add_argument("--layout", choices=("row", "frames"), default="row", help="of OUT.png (row)")
     add_times(parser)
-    parser.add_argument("--eased", action="store_true", help="frames apart as they are played, with easing")
+    parser.add_argument("--eased", action="store_true", help="space frames as they are played, with easing")
     parser.add_argument(
         "--fade", choices=("smooth", "even"), default="smooth", help="how pictures fade over (smooth)"
     )
@@ -192,7 +192,7 @@ def _add_texts(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="TEXT",
-        help="of a font this text, as one shape; may be given again (its letters, each a shape)",
+        help="a text to set in a font, as one shape; may be given again (all letters, each a shape)",
     )
 
 
@@ -237,9 +237,7 @@ def _add_overlays(group: argparse._ArgumentGroup) -> None:
     group.add_argument("--skeleton", action="store_true", help="the skeleton, where the method has one")
     group.add_argument("--no-pictures", action="store_true", help="the shapes, not the pictures in them")
     group.add_argument("--plain", action="store_true", help="no captions")
-    group.add_argument(
-        "--no-signs", action="store_true", help="nothing that tells where frames cross themselves"
-    )
+    group.add_argument("--no-signs", action="store_true", help="no signs where frames cross themselves")
 
 
 def _add_look(group: argparse._ArgumentGroup) -> None:

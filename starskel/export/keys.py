@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from starskel.arrays import Floats
-from starskel.errors import StarskelError
+from starskel.errors import StarskelError, told
 from starskel.export.film import Film, Shot
 from starskel.sheet.drawing import Area, Disc, Drawing, Group, Item, Label, Line, channels
 from starskel.task import Task
@@ -87,7 +87,7 @@ def keys(shot: Shot, task: Task) -> tuple[list[float], tuple[Drawing, ...]]:
         if _strays(finer[0], finer[2], [2 * k for k in chosen]).max() <= tolerance:
             return [float(times[k]) for k in chosen], tuple(drawings[k] for k in chosen)
         if looks > _MOST_LOOKS:
-            raise StarskelError("the blend jumps", "take a larger tolerance, or another method")
+            raise StarskelError(told("the blend jumps"), told("take a larger tolerance, or another method"))
         times, drawings, paths = finer
         looks = 2 * looks - 1
 

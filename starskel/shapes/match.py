@@ -123,7 +123,7 @@ def match(  # noqa: PLR0913 -- all but the first three are seldom given
         links = checked_pairing(*sides, suggest_pairing(*sides) if pairing is None else pairing)
         return matched_shapes(Given.checked(sides, links, marks, {} if places is None else places), task)
     if pairing is not None or places is not None:
-        raise InvalidMarks("two polygons need no pairing", "give a Shape of each")
+        raise InvalidMarks("two polygons need no pairing and no places", "give a Shape of each")
     return match_polygons(source, target, marks, should_stop=should_stop)
 
 
