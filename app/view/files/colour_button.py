@@ -1,8 +1,10 @@
 """A button that shows a colour, and asks for another one when it is pressed."""
 
 from PySide6.QtCore import QSize, Signal, Slot
-from PySide6.QtGui import QColor, QIcon, QPixmap
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QColorDialog, QToolButton
+
+from app.view.painting.icons import swatch
 
 SWATCH = QSize(28, 14)
 
@@ -35,7 +37,5 @@ class ColourButton(QToolButton):
             self.changed.emit()
 
     def _show(self) -> None:
-        swatch = QPixmap(SWATCH)
-        swatch.fill(self._colour)
-        self.setIcon(QIcon(swatch))
+        self.setIcon(swatch(self._colour, SWATCH))
         self.setAccessibleDescription(self.colour)

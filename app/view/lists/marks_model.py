@@ -3,12 +3,13 @@
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Slot
-from PySide6.QtGui import QColor, QPalette
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, QSize, Qt, Slot
+from PySide6.QtGui import QColor, QIcon, QPalette
 
 from app.model.marks import SIDES, Side, end
 from app.session import Session
 from app.tools.marking import move_mark, set_mark
+from app.view.painting.icons import swatch
 from app.view.painting.theme import theme_of
 from app.view.wording import words
 
@@ -16,6 +17,9 @@ Index = QModelIndex | QPersistentModelIndex
 
 LABEL = 0
 """The column of the marks' names; those of source and target follow."""
+
+SWATCH = QSize(16, 16)
+"""Size of a mark's colour, in pixels."""
 
 
 class MarksModel(QAbstractTableModel):
@@ -32,6 +36,7 @@ class MarksModel(QAbstractTableModel):
         self._session = session
         self._shown = session.document.marks
         self.draft: dict[Side, int] = {}
+        self._swatches: dict[str | None, QIcon] = {}
         session.document_changed.connect(self._follow)
 
     @staticmethod
@@ -65,7 +70,7 @@ class MarksModel(QAbstractTableModel):
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.EditRole):
             return self._text(index)
         if role == Qt.ItemDataRole.DecorationRole and index.column() == LABEL:
-            return self._colour(index.row())
+            return self._swatch(index.row())
         if role == Qt.ItemDataRole.TextAlignmentRole and index.column() != LABEL:
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         if role == Qt.ItemDataRole.ToolTipRole and index.row() == len(self._shown):
@@ -98,10 +103,13 @@ class MarksModel(QAbstractTableModel):
         vertex = self.vertex(index)
         return "" if vertex is None else str(vertex)
 
-    def _colour(self, row: int) -> QColor:
+    def _swatch(self, row: int) -> QIcon:
+        """Give a mark's colour, the same icon whenever it is asked for: Qt keeps what it painted of each."""
         theme = theme_of(QPalette())
-        shown = row < len(self._shown)
-        return QColor(theme.pins[row % len(theme.pins)] if shown else Qt.GlobalColor.transparent)
+        colour = theme.pins[row % len(theme.pins)] if row < len(self._shown) else None
+        if colour not in self._swatches:
+            self._swatches[colour] = swatch(QColor(colour or Qt.GlobalColor.transparent), SWATCH)
+        return self._swatches[colour]
 
     @Slot()
     def _follow(self) -> None:

@@ -49,6 +49,7 @@ class PartsModel(QAbstractTableModel):
         self._partnering = partnering
         self._shown: tuple[Link, ...] = ()
         self._looks: tuple[KeyShape, ...] = ()
+        self._icons: dict[tuple[Part, Side, str], QIcon] = {}
         session.document_changed.connect(self._follow)
         self._follow()
 
@@ -174,21 +175,15 @@ class PartsModel(QAbstractTableModel):
         return _none(_side(index.column())) if part is None else str(part + 1)
 
     def _icon(self, index: Index) -> QIcon | None:
+        """Give a part's picture, the same icon until it looks different: Qt keeps what it painted of each."""
         part, side = self.part(index), _side(index.column())
         if part is None:
             return None
-        shown, theme = self._looks[SIDES.index(side)].parts[part], theme_of(QPalette())
-        icon = QIcon()
-        for mode, colour in (
-            (QIcon.Mode.Normal, shown.colour or theme.side(side)),
-            (QIcon.Mode.Selected, theme.on_accent),  # as the writing is there
-        ):
-            picture = layer_of(ICON, 2.0)
-            with painting(picture) as painter:
-                alone = KeyShape((replace(shown, colour="", visible=True),))
-                paint_thumbnail(painter, QRectF(0, 0, ICON.width(), ICON.height()), alone, QColor(colour))
-            icon.addPixmap(picture, mode)
-        return icon
+        theme = theme_of(QPalette())
+        look = self._looks[SIDES.index(side)].parts[part], side, theme.name
+        if look not in self._icons:
+            self._icons[look] = _drawn(look[0], theme.side(side), theme.on_accent)
+        return self._icons[look]
 
     def _tip(self, index: Index) -> str:
         if index.column() == NAME:
@@ -203,6 +198,8 @@ class PartsModel(QAbstractTableModel):
         links, looks = document.way.links, (document.shape("source"), document.shape("target"))
         if (links, looks) == (self._shown, self._looks):
             return
+        parts = {part for shape in looks for part in shape.parts}
+        self._icons = {look: icon for look, icon in self._icons.items() if look[0] in parts}
         if len(links) != len(self._shown):
             self.beginResetModel()
             self._shown, self._looks = links, looks
@@ -214,6 +211,18 @@ class PartsModel(QAbstractTableModel):
 
 def _side(column: int) -> Side:
     return SIDES[column - SOURCE]
+
+
+def _drawn(part: Part, usual: QColor, selected: str) -> QIcon:
+    """Draw a part in its colour, and in that of the writing where it is selected."""
+    icon = QIcon()
+    alone = KeyShape((replace(part, colour="", visible=True),))
+    for mode, colour in ((QIcon.Mode.Normal, part.colour or usual), (QIcon.Mode.Selected, selected)):
+        picture = layer_of(ICON, 2.0)
+        with painting(picture) as painter:
+            paint_thumbnail(painter, QRectF(0, 0, ICON.width(), ICON.height()), alone, QColor(colour))
+        icon.addPixmap(picture, mode)
+    return icon
 
 
 def _none(side: Side) -> str:

@@ -2,7 +2,7 @@
 
 from math import cos, pi, sin
 
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter, QPainterPath, QPalette, QPen, QPixmap, QPolygonF
 
 SIZE = 24
@@ -205,6 +205,13 @@ def icon(name: str, palette: QPalette) -> QIcon:
         for ratio in (1.0, 2.0):
             result.addPixmap(_pixmap(name, colour, ratio), mode)
     return result
+
+
+def swatch(colour: QColor, size: QSize) -> QIcon:
+    """Give an icon of nothing but a colour."""
+    pixmap = QPixmap(size)
+    pixmap.fill(colour)
+    return QIcon(pixmap)
 
 
 def _pixmap(name: str, colour: QColor, ratio: float) -> QPixmap:

@@ -6,7 +6,7 @@ nothing is told by colour alone.
 
 from dataclasses import dataclass
 
-from PySide6.QtGui import QColor, QPalette
+from PySide6.QtGui import QColor, QPalette, QPixmapCache
 from PySide6.QtWidgets import QApplication
 
 from app.model.marks import Side
@@ -117,6 +117,9 @@ DARK = Theme(
 FRAMED = ("QCheckBox", "QRadioButton", "QListView", "QTreeView", "QTableView")
 """Widgets with boxes to be checked, which Fusion outlines darker than the window: unseen on a dark one."""
 
+PAINTED_ICONS = 2048
+"""Kilobytes of icons that Qt keeps as it painted them; by itself it keeps 10 MB, most of shapes long gone."""
+
 
 def mixed(a: QColor, b: QColor, share: float) -> QColor:
     channels = zip((a.redF(), a.greenF(), a.blueF()), (b.redF(), b.greenF(), b.blueF()), strict=True)
@@ -130,6 +133,7 @@ def theme_of(palette: QPalette) -> Theme:
 
 def apply_theme(application: QApplication, theme: Theme) -> None:
     """Set style and palette of the whole program."""
+    QPixmapCache.setCacheLimit(PAINTED_ICONS)
     application.setStyle("Fusion")
     application.setPalette(palette_of(theme))
     framed = palette_of(theme)

@@ -102,3 +102,14 @@ def test_the_table_is_closed_by_the_same_key(table: Driver) -> None:
     table.key(Qt.Key.Key_T, CONTROL)
     assert not table.window.marks.isVisible()
     assert not table.window.actions_table["marks"].isChecked()
+
+
+def test_a_mark_has_the_same_icon_whenever_it_is_painted(table: Driver) -> None:
+    set_in(table, 0, 0)
+    model = table.window.marks.table.model()
+    first, *others = [
+        [model.index(row, 0).data(Qt.ItemDataRole.DecorationRole).cacheKey() for row in range(2)]
+        for _ in range(3)
+    ]
+    assert others == [first, first]
+    assert len(set(first)) == 2

@@ -416,3 +416,15 @@ def test_a_hole_that_becomes_a_part_is_told(face: Driver) -> None:
     assert face.session.news == News(opened=1)
     face.click("source", (50, 30))
     assert not face.session.news
+
+
+def test_a_part_has_the_same_icon_until_it_looks_different(face: Driver) -> None:
+    def icons() -> list[int]:
+        model = table(face).model()
+        return [model.index(row, SOURCE).data(Qt.ItemDataRole.DecorationRole).cacheKey() for row in range(3)]
+
+    before = icons()
+    assert icons() == before
+    face.key(Qt.Key.Key_S)
+    face.drag("source", (10, 10), (12, 12))
+    assert [a == b for a, b in zip(icons(), before, strict=True)] == [True, True, False]
