@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication, QComboBox, QMessageBox, QPushButton,
 from pytestqt.qtbot import QtBot
 
 from app.session import Session
+from app.tools.tool import Key
 from app.view.about import AboutDialog, versions
 from app.view.commands.finder import Finder, matches
 from app.view.commands.shortcuts import ShortcutsDialog, changed_shortcuts
@@ -225,6 +226,32 @@ def test_a_click_in_the_history_goes_there(driver: Driver) -> None:
     assert driver.document.marks == ((0, 0),)
     driver.key(Qt.Key.Key_Z, CONTROL)
     assert shown.currentRow() == 2
+
+
+def test_the_history_greys_out_what_is_undone_and_catches_up_when_it_is_shown(driver: Driver) -> None:
+    driver.draw_both()
+    shown, command = driver.window.convenience.history, driver.window.actions_table["history"]
+
+    def rows() -> list[tuple[str, bool]]:
+        items = [shown.item(row) for row in range(shown.count())]
+        undone = shown.palette().brush(shown.palette().ColorGroup.Disabled, shown.palette().ColorRole.Text)
+        return [(item.text(), item.foreground() == undone) for item in items]
+
+    command.trigger()
+    driver.key(Qt.Key.Key_Z, CONTROL)
+    assert rows() == [("Opened", False), ("Draw shape", False), ("Draw shape", True)]
+    driver.window.actions_table["dark"].trigger()
+    assert rows()[2] == ("Draw shape", True)
+    command.trigger()
+    driver.session.select_all("source")
+    driver.session.key(Key("right"))
+    driver.session.key(Key("right", alt=True))
+    command.trigger()
+    assert rows() == [("Opened", False), ("Draw shape", False), ("Nudge vertices", False), ("Turn", False)]
+    driver.key(Qt.Key.Key_Z, CONTROL)
+    driver.key(Qt.Key.Key_Z, CONTROL)
+    assert [undone for _, undone in rows()] == [False, False, True, True]
+    driver.window.actions_table["light"].trigger()
 
 
 # commands
