@@ -1,6 +1,5 @@
 """starskel measure: figures of every pair and method."""
 
-import math
 import sys
 from argparse import Namespace
 from collections.abc import Sequence
@@ -15,7 +14,7 @@ from starskel.command.opening import Opened, named, opened
 from starskel.errors import StarskelError
 from starskel.files.documents import document_text
 from starskel.quality import Report, ShapeReport
-from starskel.sheet.words import crossing_counts, overlap_words, percent
+from starskel.sheet.words import crossing_counts, finer_words, overlap_words, percent
 
 FORMAT = "starskel-figures/2"
 
@@ -75,12 +74,13 @@ class _Table:
         self._print("pair", "method", "area", "length", "angle", "stretch", "rough", "verdict")
 
     def add(self, figures: Figures | ShapeFigures, report: Report | ShapeReport) -> None:
+        finer = finer_words(report)
         self._print(
             _shortened(figures.id),
             figures.method,
             percent(figures.area_deviation),
             percent(figures.length_deviation),
-            *_of_polygons_only(report),
+            *(finer.angle, finer.stretch, finer.roughness),
             ", ".join((crossing_counts(report), *overlap_words(report))),
         )
 
@@ -101,17 +101,6 @@ class _Table:
         name, verb = self._widths
         row = f"{pair_id:{name}}  {method:{verb}} {area:>6} {length:>6} {angle:>8} {stretch:>7} {rough:>7}"
         print(f"{row}  {words}", flush=True)
-
-
-def _of_polygons_only(report: Report | ShapeReport) -> tuple[str, str, str]:
-    """Give angle, stretch and roughness."""
-    if report.of == "shape":
-        return "-", "-", "-"
-    return (
-        f"{math.degrees(report.angle_deviation):.1f} deg",
-        percent(report.inside.stretch - 1) if report.inside else "-",
-        f"{100 * report.roughness:.2f} %",
-    )
 
 
 def _shortened(name: str) -> str:

@@ -1,16 +1,23 @@
-"""The gallery: a page of many pairs, each with its sheet and figures; no scripts, nothing from elsewhere."""
+"""The gallery: a page of many pairs, each with its sheet and figures."""
 
-import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
 from statistics import median
 
-from starskel.files.examples import resource_folder
+from starskel.files.page import page, table
 from starskel.quality import Report, ShapeReport
 from starskel.sheet.drawing import Drawing
-from starskel.sheet.words import counted, crossing_counts, kind_of, overlap_words, percent, verdict
+from starskel.sheet.words import (
+    counted,
+    crossing_counts,
+    finer_words,
+    kind_of,
+    overlap_words,
+    percent,
+    verdict,
+)
 
 SIGNS = {"simple": "✓", "natural": "≈", "harmful": "✕"}
 """What is said by colours is said by signs, too."""
@@ -62,21 +69,9 @@ class Exhibit:
 
 def gallery_page(exhibits: Sequence[Exhibit], failures: Sequence[str]) -> str:
     """Give the page as HTML; the sheets are expected beside it."""
-    style = (resource_folder() / "gallery" / "style.css").read_text(encoding="utf-8")
     methods = list(exhibits[0].reports) if exhibits else []
-    parts = [
-        '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">',
-        '<meta name="viewport" content="width=device-width, initial-scale=1">',
-        f"<title>Blends side by side</title>\n<style>\n{style}</style>\n</head>\n<body>",
-        _header(exhibits, methods),
-        _list(exhibits),
-        "<main>",
-        *map(_section, exhibits),
-        "</main>",
-        _failures(failures),
-        "</body>\n</html>\n",
-    ]
-    return "\n".join(part for part in parts if part)
+    parts = [_header(exhibits, methods), _list(exhibits), "<main>", *map(_section, exhibits), "</main>"]
+    return page("Blends side by side", [*parts, _failures(failures)])
 
 
 def _header(exhibits: Sequence[Exhibit], methods: Sequence[str]) -> str:
@@ -93,7 +88,7 @@ def _header(exhibits: Sequence[Exhibit], methods: Sequence[str]) -> str:
 <p>{counted(len(exhibits), "pair")}, each blended by {counted(len(methods), "method")} from t = 0 to t = 1.
 Crossing frames are outlined in red.</p>
 <p>{legend}. Proven: simple for every t, not only in the frames looked at.</p>
-{_table(("Method", "Simple", "Proven", "Natural", "Harmful", "Median area drift"), rows)}
+{table(("Method", "Simple", "Proven", "Natural", "Harmful", "Median area drift"), rows, ())}
 <details><summary>What the figures mean</summary>
 <dl>
 {meanings}
@@ -155,7 +150,7 @@ def _section(exhibit: Exhibit) -> str:
 <div class="sheet"><img src="{exhibit.name}.svg" width="{width:.0f}" height="{height:.0f}"
  loading="lazy" alt="{escape(f"{exhibit.title}, frames by each method. {words}")}"></div>
 <details><summary>All figures</summary>
-{_table(("Method", *_FIGURES, "Verdict"), rows)}
+{table(("Method", *_FIGURES, "Verdict"), rows, ("Verdict",))}
 </details>
 </section>"""
 
@@ -167,35 +162,9 @@ def _figures(method: str, report: Report | ShapeReport) -> list[str]:
         method,
         percent(report.area_deviation),
         percent(report.length_deviation),
-        *_of_polygons_only(report),
+        *finer_words(report),
         f'<span class="{kind}">{_sign(kind)}{words}</span>',
     ]
-
-
-def _of_polygons_only(report: Report | ShapeReport) -> list[str]:
-    """Give angle drift, stretched, spread, folded and roughness."""
-    if report.of == "shape":
-        return ["-"] * 5
-    inside = report.inside
-    return [
-        f"{math.degrees(report.angle_deviation):.1f}°",
-        percent(inside.stretch - 1) if inside else "-",
-        percent(inside.spread - 1) if inside else "-",
-        percent(inside.folded) if inside else "-",
-        f"{100 * report.roughness:.2f} %",
-    ]
-
-
-def _table(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Give a table whose first column names the rows; a column of verdicts is set like words."""
-    kinds = [' class="words"' if head == "Verdict" else "" for head in heads]
-    lines = ['<div class="wide"><table>', "<thead><tr>"]
-    lines += [f'<th scope="col"{kind}>{head}</th>' for head, kind in zip(heads, kinds, strict=True)]
-    lines.append("</tr></thead>\n<tbody>")
-    for first, *others in rows:
-        cells = "".join(f"<td{kind}>{cell}</td>" for cell, kind in zip(others, kinds[1:], strict=True))
-        lines.append(f'<tr><th scope="row">{first}</th>{cells}</tr>')
-    return "\n".join([*lines, "</tbody></table></div>"])
 
 
 def _failures(failures: Sequence[str]) -> str:

@@ -1,7 +1,8 @@
 """What was measured of a blend, in words."""
 
+import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 if TYPE_CHECKING:  # words do not need what measures
     from starskel.quality import Report, ShapeReport
@@ -70,6 +71,32 @@ def figures(report: "Report | ShapeReport") -> tuple[str, ...]:
         times = spans(report.times.tolist(), report.negative_lengths)
         lines.append(f"negative lengths at t = {times}")
     return tuple(lines)
+
+
+class FinerWords(NamedTuple):
+    """What is measured of blends of polygons only, in words; "-" where it is not known."""
+
+    angle: str = "-"
+    stretch: str = "-"
+    spread: str = "-"
+    folded: str = "-"
+    roughness: str = "-"
+
+
+def finer_words(report: "Report | ShapeReport") -> FinerWords:
+    """Say how far angles drift, how the inside is distorted, and how uneven the motion is."""
+    if report.of == "shape":
+        return FinerWords()
+    words = FinerWords(
+        angle=f"{math.degrees(report.angle_deviation):.1f}°", roughness=f"{100 * report.roughness:.2f} %"
+    )
+    if report.inside is None:
+        return words
+    return words._replace(
+        stretch=percent(report.inside.stretch - 1),
+        spread=percent(report.inside.spread - 1),
+        folded=percent(report.inside.folded),
+    )
 
 
 def overlap_words(report: "Report | ShapeReport") -> tuple[str, ...]:

@@ -6,7 +6,7 @@ from statistics import median
 from typing import Any
 
 from starskel.command.batches.work import Outcome
-from starskel.files.examples import resource_folder
+from starskel.files.page import page, table
 from starskel.sheet.words import counted, percent
 
 
@@ -14,22 +14,21 @@ def summary_page(outcomes: Iterable[Outcome], methods: Sequence[str]) -> str:
     """Give the page: figures of each method over all pairs, failures by name, a line for each pair."""
     ordered = sorted(outcomes, key=lambda outcome: outcome.key)
     failed = [outcome for outcome in ordered if outcome.error]
-    style = (resource_folder() / "gallery" / "style.css").read_text("utf-8")
     rows = [_method_row(method, ordered) for method in methods]
-    pairs = [[outcome.key, *(_verdict(outcome, method) for method in methods)] for outcome in ordered]
-    failures = [[outcome.key, outcome.error] for outcome in failed]
-    return "\n".join(
+    pairs = [[escape(o.key), *(_verdict(o, method) for method in methods)] for o in ordered]
+    failures = [[escape(outcome.key), escape(outcome.error)] for outcome in failed]
+    heads = ("Method", "Pairs", "Simple", "Natural", "Crossing", "Median area drift")
+    return page(
+        "starskel batch",
         [
-            '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">',
-            '<meta name="viewport" content="width=device-width, initial-scale=1">',
-            f"<title>starskel batch</title>\n<style>\n{style}</style>\n</head>\n<body>\n<main>",
+            "<main>",
             f"<h1>{counted(len(ordered), 'pair')}, {counted(len(failed), 'failure')}</h1>",
-            _table(("Method", "Pairs", "Simple", "Natural", "Crossing", "Median area drift"), rows),
-            *(["<h2>Failures</h2>", _table(("Pair", "Why"), failures)] if failures else []),
+            table(heads, rows, ()),
+            *(["<h2>Failures</h2>", table(("Pair", "Why"), failures, ("Why",))] if failures else []),
             "<h2>Pairs</h2>",
-            _table(("Pair", *methods), pairs),
-            "</main>\n</body>\n</html>\n",
-        ]
+            table(("Pair", *methods), pairs, methods),
+            "</main>",
+        ],
     )
 
 
@@ -54,13 +53,3 @@ def _kind(figures: dict[str, Any]) -> str:
 def _verdict(outcome: Outcome, method: str) -> str:
     own = next((figures for figures in outcome.figures if figures["method"] == method), None)
     return "-" if own is None else f"{_kind(own)}, {percent(own['area_deviation'])}"
-
-
-def _table(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    lines = ['<div class="wide"><table>', "<thead><tr>"]
-    lines += [f'<th scope="col">{escape(head)}</th>' for head in heads]
-    lines.append("</tr></thead>\n<tbody>")
-    for first, *others in rows:
-        cells = "".join(f'<td class="words">{escape(cell)}</td>' for cell in others)
-        lines.append(f'<tr><th scope="row">{escape(first)}</th>{cells}</tr>')
-    return "\n".join([*lines, "</tbody></table></div>"])
