@@ -30,7 +30,7 @@ USUAL = {command.name: tuple(QKeySequence(keys) for keys in command.keys) for co
 
 
 def changed_shortcuts() -> dict[str, str]:
-    """Give the shortcut in portable form for each command whose shortcut the user has changed."""
+    """Give the shortcuts in portable form for each command whose shortcuts the user has changed."""
     settings = QSettings()
     settings.beginGroup(_GROUP)
     return {name: str(settings.value(name)) for name in settings.childKeys() if name in USUAL}
@@ -41,20 +41,20 @@ def apply_shortcuts(actions: Sequence[QAction]) -> None:
     changed = changed_shortcuts()
     for action in actions:
         name = action.objectName()
-        keys = [QKeySequence(changed[name])] if name in changed else list(USUAL[name])
+        keys = QKeySequence.listFromString(changed[name], _PORTABLE) if name in changed else USUAL[name]
         action.setShortcuts([each for each in keys if not each.isEmpty()])
         shown = f" ({action.shortcut().toString(_NATIVE)})" if action.shortcuts() else ""
         action.setToolTip(action.statusTip() + shown)
 
 
-def remember_shortcut(name: str, keys: QKeySequence) -> None:
-    """Keep a command's shortcut, where it is not the usual one; an empty one means none at all."""
+def remember_shortcuts(name: str, keys: Sequence[QKeySequence]) -> None:
+    """Keep a command's shortcuts, where they are not the usual ones; none means none at all."""
     settings = QSettings()
     settings.beginGroup(_GROUP)
-    if [keys] == list(USUAL[name][:1]) or (keys.isEmpty() and not USUAL[name]):
+    if tuple(keys) == USUAL[name]:
         settings.remove(name)
     else:
-        settings.setValue(name, keys.toString(_PORTABLE))
+        settings.setValue(name, QKeySequence.listToString(keys, _PORTABLE))
 
 
 def forget_shortcuts() -> None:
@@ -153,11 +153,12 @@ class ShortcutsDialog(QDialog):
 
     @Slot()
     def _assign(self) -> None:
-        keys = self.keys.keySequence()
+        keys, name = self.keys.keySequence(), self._action.objectName()
         holder = self._holder(keys)
         if holder is not None:
-            remember_shortcut(holder.objectName(), QKeySequence())
-        remember_shortcut(self._action.objectName(), keys)
+            remember_shortcuts(holder.objectName(), [each for each in holder.shortcuts() if each != keys])
+        usual = USUAL[name] if keys in USUAL[name][:1] else [keys]
+        remember_shortcuts(name, [each for each in usual if not each.isEmpty()])
         self._follow()
         self.note.clear()
 

@@ -129,10 +129,10 @@ class FrameView(QWidget):
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """End a drag; a click on a star origin makes it the root."""
+        clicked = event.button() == Qt.MouseButton.LeftButton and event.position() == self._pressed
         self._held = None
         self.unsetCursor()
-        origin = self.origin_at(event.position())
-        if event.position() == self._pressed and origin is not None:
+        if clicked and (origin := self.origin_at(event.position())) is not None:
             document = parts.root(self._session.document, *origin)
             self._session.store(document, QT_TRANSLATE_NOOP("Step", "Choose root"))
 

@@ -14,7 +14,7 @@ from app.session import Session
 from app.tools.tool import Key
 from app.view.about import AboutDialog, versions
 from app.view.commands.finder import Finder, matches
-from app.view.commands.shortcuts import ShortcutsDialog, changed_shortcuts
+from app.view.commands.shortcuts import ShortcutsDialog, apply_shortcuts, changed_shortcuts
 from app.view.files import remembered
 from app.view.main_window import FRAME, MainWindow
 from app.view.start import begin
@@ -327,6 +327,19 @@ def test_a_shortcut_that_is_taken_changes_hands_after_a_warning(driver: Driver) 
     assert driver.window.display.layers.pieces
     assert not driver.window.display.layers.skeleton
     assert changed_shortcuts() == {"pieces": "Ctrl+2", "skeleton": ""}
+
+
+def test_a_command_with_two_shortcuts_loses_only_the_one_that_is_taken(driver: Driver) -> None:
+    def change(dialog: QWidget) -> None:
+        assign(dialog, "Star Pieces", "Ctrl+Y")
+        dialog.close()
+
+    with_dialog(driver, ShortcutsDialog, change)
+    driver.window.actions_table["shortcuts"].trigger()
+    assert driver.window.actions_table["redo"].shortcuts() == [QKeySequence("Ctrl+Shift+Z")]
+    apply_shortcuts(driver.window.actions_table.all)
+    assert driver.window.actions_table["redo"].shortcuts() == [QKeySequence("Ctrl+Shift+Z")]
+    assert driver.window.actions_table["pieces"].shortcuts() == [QKeySequence("Ctrl+Y")]
 
 
 def test_the_usual_shortcuts_come_back(driver: Driver) -> None:

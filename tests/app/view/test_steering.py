@@ -31,11 +31,13 @@ def shown(driver: Driver) -> StarSkeletonBlend:
     return result.blend
 
 
-def click_on_origin(driver: Driver, piece: int) -> None:
+def click_on_origin(driver: Driver, piece: int, button: Qt.MouseButton = LEFT) -> None:
     view = driver.window.panels.panel("star-skeleton").view
     places = view.camera.to_screen(shown(driver).skeleton_at(driver.window.player.t))
     place = places[piece].round().astype(int)
-    QTest.mouseClick(view, LEFT, PLAIN, view.rect().topLeft() + type(view.rect().topLeft())(*place.tolist()))
+    QTest.mouseClick(
+        view, button, PLAIN, view.rect().topLeft() + type(view.rect().topLeft())(*place.tolist())
+    )
 
 
 def test_a_click_on_a_star_origin_makes_it_the_root(arm: Driver) -> None:
@@ -52,6 +54,15 @@ def test_a_click_on_a_star_origin_makes_it_the_root(arm: Driver) -> None:
     QTest.mouseClick(button, LEFT)
     arm.wait_for_blends()
     assert shown(arm).skeleton.root == blend.skeleton.root
+
+
+def test_other_buttons_choose_no_root(arm: Driver) -> None:
+    arm.window.actions_table["skeleton"].trigger()
+    blend = shown(arm)
+    piece = next(k for k in range(len(blend.decomposition.pieces)) if k != blend.skeleton.root)
+    for button in (Qt.MouseButton.RightButton, Qt.MouseButton.MiddleButton):
+        click_on_origin(arm, piece, button)
+    assert not arm.document.way.roots
 
 
 def test_without_a_skeleton_on_the_screen_a_click_chooses_nothing(arm: Driver) -> None:
