@@ -15,7 +15,7 @@ from starskel.decomposition.pieces import Decomposition
 from starskel.outline import precedes
 from starskel.polar import as_points
 from starskel.skeleton import skeleton_of
-from starskel.task import Task
+from starskel.task import UNWATCHED, Task
 
 Motion = Callable[[Floats], Complex]
 """Gives all points of a mesh at each of k times, (k, m), up to a translation."""
@@ -35,17 +35,14 @@ class FanBlend(PieceBlend):
         Watches the preparation.
     """
 
-    def __init__(
-        self, decomposition: Decomposition, root: int | None = None, task: Task | None = None
-    ) -> None:
+    def __init__(self, decomposition: Decomposition, root: int | None = None, task: Task = UNWATCHED) -> None:
         super().__init__(decomposition, skeleton_of(decomposition, root))
         self._backwards = precedes(decomposition.target, decomposition.source)
         forwards = decomposition.exchanged if self._backwards else decomposition
-        watched = task or Task()
         self._pair = forwards.pair
-        self._fans = with_better_hubs(fans_of(forwards, watched), len(forwards.source), watched)
-        watched.reach(0.02)
-        self._move_by(self._prepared(self._fans, watched.part(0.02, 1)))
+        self._fans = with_better_hubs(fans_of(forwards, task), len(forwards.source), task)
+        task.reach(0.02)
+        self._move_by(self._prepared(self._fans, task.part(0.02, 1)))
 
     @abstractmethod
     def _prepared(self, fans: Fans, task: Task) -> Motion:

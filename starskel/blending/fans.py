@@ -64,6 +64,15 @@ def fans_of(decomposition: Decomposition, task: Task) -> Fans:
     return Fans(source, target, np.array(triangles, dtype=np.intp), tuple(hubs))
 
 
+def origin_fans(decomposition: Decomposition) -> Indices:
+    """Give the triangles round the star origins, which are numbered behind the points, as (k, 3) corners."""
+    count = len(decomposition.source)
+    return np.array(
+        [(count + k, a, b) for k, piece in enumerate(decomposition.pieces) for a, b in edges_of(piece)],
+        dtype=np.intp,
+    )
+
+
 def _exact_points(decomposition: Decomposition) -> tuple[Points, Points]:
     pair = decomposition.pair
     steiner = decomposition.source[len(pair) :], decomposition.target[len(pair) :]

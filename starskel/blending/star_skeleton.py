@@ -3,10 +3,11 @@
 import numpy as np
 
 from starskel.arrays import Complex, Floats, Indices, read_only
+from starskel.blending.fans import origin_fans
 from starskel.blending.frame_mesh import FrameMesh
 from starskel.blending.frames import checked_times, with_exact_ends
 from starskel.blending.pieces import PieceBlend
-from starskel.decomposition.pieces import Decomposition, edges_of
+from starskel.decomposition.pieces import Decomposition
 from starskel.polar import as_complex, as_points
 from starskel.skeleton import skeleton_of
 from starskel.skeleton.spokes import spokes_of
@@ -52,15 +53,10 @@ class StarSkeletonBlend(PieceBlend):
     def mesh(self) -> FrameMesh:
         """A fan round the star origin of each piece, the origins behind the pieces' points."""
         dec = self.decomposition
-        fans = [
-            (len(dec.source) + number, *edge)
-            for number, piece in enumerate(dec.pieces)
-            for edge in edges_of(piece)
-        ]
         return FrameMesh(
             np.concatenate([dec.source, dec.source_origins]),
             np.concatenate([dec.target, dec.target_origins]),
-            np.array(fans, dtype=np.intp),
+            origin_fans(dec),
         )
 
     def _nodes(self, ts: Floats) -> Floats:

@@ -7,7 +7,7 @@ from starskel.blending.fan_blend import FanBlend, Motion
 from starskel.blending.fans import Fans
 from starskel.blending.stiffening import Graphs, better, plainest
 from starskel.decomposition.pieces import Decomposition
-from starskel.task import Task
+from starskel.task import UNWATCHED, Task
 
 
 class StitchedBlend(FanBlend):
@@ -31,15 +31,14 @@ class StitchedBlend(FanBlend):
         self,
         decomposition: Decomposition,
         root: int | None = None,
-        task: Task | None = None,
+        task: Task = UNWATCHED,
         *,
         settled: bool = True,
     ) -> None:
-        watched = task or Task()
-        super().__init__(decomposition, root, watched)
+        super().__init__(decomposition, root, task)
         self.settled = settled
         if settled:
-            for stitch, _ in better(self._graphs, watched.part(0.1, 1)):
+            for stitch, _ in better(self._graphs, task.part(0.1, 1)):
                 self._move_by(stitch.points)
 
     def _improvements(self, task: Task) -> Iterator["StitchedBlend"]:

@@ -1,14 +1,14 @@
 """How much the inside of a blend is distorted: the fans of its star pieces, triangle by triangle."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from starskel.arrays import Complex, Floats, Indices
+from starskel.arrays import Complex, Floats
 from starskel.blending.distortion import Shapes
+from starskel.blending.fans import origin_fans
 from starskel.blending.mesh import triangle_areas
-from starskel.decomposition.pieces import Decomposition, Piece, edges_of
+from starskel.decomposition.pieces import Decomposition
 from starskel.polar import as_complex
 
 
@@ -49,7 +49,7 @@ class Triangles:
     """
 
     def __init__(self, decomposition: Decomposition, source: Floats, target: Floats) -> None:
-        triangles = _fans(decomposition.pieces, len(decomposition.source))
+        triangles = origin_fans(decomposition)
         self._source, self._target = as_complex(source), as_complex(target)
         shapes = Shapes.of(self._source, self._target, triangles)
         self._triangles = triangles[shapes.have_area(triangles)]
@@ -76,14 +76,6 @@ class Triangles:
             return float(np.exp((weights * found).sum() / weights.sum())), float(np.exp(found.max()))
 
         return Distortion(*factors(stretches), *factors(spreads), float((folded @ self._weights).max()))
-
-
-def _fans(pieces: Sequence[Piece], rows: int) -> Indices:
-    """Give the triangles round the origins, which are numbered behind the rows."""
-    return np.array(
-        [(rows + number, a, b) for number, piece in enumerate(pieces) for a, b in edges_of(piece)],
-        dtype=np.intp,
-    )
 
 
 def _distances(first: Complex, second: Complex) -> Floats:

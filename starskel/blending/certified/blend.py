@@ -12,7 +12,7 @@ from starskel.blending.stitched import StitchedBlend
 from starskel.clearance import clearance
 from starskel.decomposition.pieces import Decomposition
 from starskel.outline import edge_lengths, precedes, signed_areas
-from starskel.task import Task
+from starskel.task import UNWATCHED, Task
 
 _EQUAL = 1e-9
 """Areas and perimeters that differ by less, as a part of them, do not tell which shape comes first."""
@@ -47,19 +47,16 @@ class CertifiedBlend(Blend):
     key_times: Floats
     how: Way
 
-    def __init__(
-        self, decomposition: Decomposition, root: int | None = None, task: Task | None = None
-    ) -> None:
+    def __init__(self, decomposition: Decomposition, root: int | None = None, task: Task = UNWATCHED) -> None:
         super().__init__(decomposition.pair)
         self.decomposition = decomposition
-        watched = task or Task()
-        stitched = StitchedBlend(decomposition, root, watched.part(0, 0.4))
-        watched = watched.part(0.4, 1)
+        stitched = StitchedBlend(decomposition, root, task.part(0, 0.4))
+        rest = task.part(0.4, 1)
         if _comes_second(self.pair.source, self.pair.target):
-            keys, self.how = path(decomposition.exchanged, lambda ts: stitched.frames(1 - ts), watched)
+            keys, self.how = path(decomposition.exchanged, lambda ts: stitched.frames(1 - ts), rest)
             keys = [Key(1 - key.t, key.frame) for key in keys[::-1]]
         else:
-            keys, self.how = path(decomposition, stitched.frames, watched)
+            keys, self.how = path(decomposition, stitched.frames, rest)
         self.key_times = read_only(np.array([key.t for key in keys]))
         self.keys = read_only(np.stack([key.frame for key in keys]))
 
