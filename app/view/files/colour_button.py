@@ -28,12 +28,16 @@ class ColourButton(QToolButton):
         """The colour, as "#rrggbb"."""
         return self._colour.name()
 
+    def take(self, colour: str) -> None:
+        """Hold another colour."""
+        self._colour = QColor(colour)
+        self._show()
+
     @Slot()
     def _ask(self) -> None:
         found = QColorDialog.getColor(self._colour, self, self.accessibleName())
         if found.isValid():
-            self._colour = found
-            self._show()
+            self.take(found.name())
             self.changed.emit()
 
     def _show(self) -> None:

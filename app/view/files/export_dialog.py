@@ -112,6 +112,18 @@ class ExportDialog(QDialog):
             self._motion.tolerance,
         )
 
+    def begin_with(self, former: Choice) -> None:
+        """Show what was chosen before, except for what goes with the document, the player and the panels."""
+        for field, value in ((self._layout_field, former.layout), (self._method, former.method)):
+            if (place := field.findData(value)) >= 0:
+                field.setCurrentIndex(place)
+        self._frames.setValue(former.frames)
+        self._times.begin_with(former.times)
+        self._pixels.setValue(former.pixels or SMALLEST)
+        self._motion.begin_with(former.rate, former.tolerance)
+        self._look.begin_with(former.look)
+        self._overlays.begin_with(former.shown)
+
     def _arrange(self) -> None:
         form = QFormLayout()
         self._labels: dict[QWidget, QWidget] = {}

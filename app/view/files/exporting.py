@@ -5,6 +5,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QWidget
 
+from app.compute.errands import Work
 from app.export import FORMATS, Choice, Stretch, write_choice
 from app.session import Session
 from app.view.asking import accepted
@@ -21,8 +22,8 @@ from starskel.files.project import letter
 translate = QCoreApplication.translate
 
 
-def export(window: QWidget, session: Session, player: Player, display: Display, name: str) -> Path | None:
-    """Ask what to export and where, write it, and give where; None where nothing was written.
+class Exporting:
+    """Asks what to export and where, and writes it; the next time it begins with what was chosen.
 
     Parameters
     ----------
@@ -30,31 +31,57 @@ def export(window: QWidget, session: Session, player: Player, display: Display, 
         Over which it is asked.
     session, player, display
         What there is to export, and how it is shown.
-    name : str
-        What the file may be called, without the ending.
     """
-    number = session.document.sequence.drawn_step(session.document.step)
-    shown, whole = stretches(session)[number], whole_sequence(session)
-    dialog = ExportDialog(shown, player, display, window, whole=bool(whole))
-    if not accepted(dialog):
-        return None
-    choice = dialog.choice
-    title = translate("Files", "Export")
-    endings = tuple(each.ending for each in FORMATS[choice.layout])
-    path = path_to_save(window, title, name, endings)
-    if path is None or not _may_write(window, path, choice):
-        return None
-    film, chosen = session.document.name or name, whole if choice.whole else (shown,)
-    waiting = Waiting(translate("Files", "Writing {name}…").format(name=path.name), window)
-    outcome = waiting.wait(lambda task: write_choice(path, film, choice, chosen, task))
-    if outcome is None:
-        return None
-    if isinstance(outcome.error, StarskelError):
-        complain(window, translate("Files", "{name} was not written").format(name=path.name), outcome.error)
-        return None
-    if outcome.error is not None:
-        raise outcome.error
-    return path
+
+    def __init__(self, window: QWidget, session: Session, player: Player, display: Display) -> None:
+        self._window = window
+        self._session = session
+        self._player = player
+        self._display = display
+        self._choice: Choice | None = None
+
+    def export(self, name: str) -> Path | None:
+        """Ask, write, and give where; None where nothing was written.
+
+        Parameters
+        ----------
+        name : str
+            What the file may be called, without the ending.
+        """
+        document, whole = self._session.document, whole_sequence(self._session)
+        shown = stretches(self._session)[document.sequence.drawn_step(document.step)]
+        choice = self._chosen(shown, whole=bool(whole))
+        if choice is None:
+            return None
+        endings = tuple(each.ending for each in FORMATS[choice.layout])
+        path = path_to_save(self._window, translate("Files", "Export"), name, endings)
+        if path is None or not _may_write(self._window, path, choice):
+            return None
+        film, chosen = document.name or name, whole if choice.whole else (shown,)
+        return self._written(path, lambda task: write_choice(path, film, choice, chosen, task))
+
+    def _chosen(self, shown: Stretch, *, whole: bool) -> Choice | None:
+        dialog = ExportDialog(shown, self._player, self._display, self._window, whole=whole)
+        if self._choice is not None:
+            dialog.begin_with(self._choice)
+        if not accepted(dialog):
+            return None
+        self._choice = dialog.choice
+        return self._choice
+
+    def _written(self, path: Path, work: Work) -> Path | None:
+        """Write a file beside the window, and give where; None where that failed or was given up."""
+        waiting = Waiting(translate("Files", "Writing {name}…").format(name=path.name), self._window)
+        outcome = waiting.wait(work)
+        if outcome is None:
+            return None
+        if isinstance(outcome.error, StarskelError):
+            heading = translate("Files", "{name} was not written").format(name=path.name)
+            complain(self._window, heading, outcome.error)
+            return None
+        if outcome.error is not None:
+            raise outcome.error
+        return path
 
 
 def _may_write(window: QWidget, path: Path, choice: Choice) -> bool:

@@ -39,7 +39,10 @@ from starskel.files.pairs import ShapePair, read_pairs
 from starskel.files.project import Project
 from starskel.reading.readers import ENDINGS
 
-if TYPE_CHECKING:  # what reads pictures is loaded when there are some, so that the window opens sooner
+if (
+    TYPE_CHECKING
+):  # what exports or reads pictures is loaded when that is wanted, so that the window opens sooner
+    from app.view.files.exporting import Exporting
     from starskel.files.image_pairs import ImagePair
 
 AnyFile: TypeAlias = "PairFile[ShapePair] | PairFile[MultiPair] | PairFile[ImagePair]"
@@ -79,6 +82,7 @@ class Files(QObject):
         self._session = session
         self._player = player
         self._display = display
+        self._exporting: Exporting | None = None
         self._left: Document | None = None  # what was open when a drawing was read, which may make way for it
 
     @property
@@ -152,10 +156,10 @@ class Files(QObject):
     @Slot()
     def export(self) -> None:
         """Ask what to export and where, and write it."""
-        exporting = import_module("app.view.files.exporting")  # not before, so that the window opens sooner
-        name = file_name_of(self.name)
-        path = exporting.export(self._window, self._session, self._player, self._display, name)
-        if path is not None:
+        if self._exporting is None:  # not loaded before, so that the window opens sooner
+            made = import_module("app.view.files.exporting").Exporting
+            self._exporting = made(self._window, self._session, self._player, self._display)
+        if (path := self._exporting.export(file_name_of(self.name))) is not None:
             self.exported.emit(path)
 
     @Slot(object, object)

@@ -69,6 +69,28 @@ class LookFields(QWidget):
             captions=self._captions.isChecked(),
         )
 
+    def begin_with(self, look: Look) -> None:
+        """Show a look that was chosen before."""
+        fill = Fill.USUAL if look.colours == WAY else Fill.OWN if look.colours else Fill.NONE
+        self._fill.setCurrentIndex(fill.value)
+        if fill is Fill.OWN:
+            self._first.take(look.colours[0])
+            self._last.take(look.colours[-1])
+        self._outlined.setChecked(look.outline is not None)
+        if look.outline is not None:
+            self._stroke.take(look.outline.colour)
+            self._width.setValue(look.outline.width)
+        self._papered.setChecked(look.paper is not None)
+        self._paper.take(look.paper or PAPER)
+        for field, length in (
+            (self._margin, look.margin),
+            (self._gap, look.gap),
+            (self._size, look.size or 0),
+        ):
+            field.setValue(length)
+        self._signs.setChecked(look.signs)
+        self._captions.setChecked(look.captions)
+
     def _arrange(self) -> None:
         form = QFormLayout(self)
         form.setContentsMargins(0, 0, 0, 0)

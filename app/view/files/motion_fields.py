@@ -68,6 +68,11 @@ class MotionFields(QObject):
         """How far a vertex may stray, as a part of the box of all frames."""
         return self._tolerance.value() / 100
 
+    def begin_with(self, rate: float, tolerance: float) -> None:
+        """Show what was chosen before; how long it takes is as it is played now."""
+        self._rate.setValue(round(rate))
+        self._tolerance.setValue(100 * tolerance)
+
     def offer(self, layout: Layout) -> None:
         """Offer what matters for a layout."""
         for field in (self._seconds, self._returning, self._rate):

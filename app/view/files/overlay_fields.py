@@ -39,6 +39,11 @@ class OverlayFields(QWidget):
             pictures=self._pictures.isChecked(),
         )
 
+    def begin_with(self, shown: Shown) -> None:
+        """Show what was chosen before of what panels do not show."""
+        self._marks.setChecked(shown.marks)
+        self._vertices.setChecked(shown.vertices)
+
     def offer(self, *, drawn: bool) -> None:
         """Offer what goes onto frames, or nothing where none are drawn."""
         for box in self._drawn:

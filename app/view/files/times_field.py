@@ -1,8 +1,11 @@
 """A field for moments: numbers from 0 to 1, set apart by spaces."""
 
 import re
+from collections.abc import Sequence
 
 from PySide6.QtWidgets import QLineEdit, QWidget
+
+from app.view.wording.words import figure
 
 
 class TimesField(QLineEdit):
@@ -14,6 +17,10 @@ class TimesField(QLineEdit):
         self.setPlaceholderText("  ".join(("0", f"0{point}25", f"0{point}5", "1")))
         self.setToolTip(self.tr("Numbers from 0 to 1, set apart by spaces; empty for evenly spread ones"))
         self.setClearButtonEnabled(True)
+
+    def begin_with(self, times: Sequence[float]) -> None:
+        """Show times that were chosen before."""
+        self.setText("  ".join(figure(f"{time:.6g}") for time in times))
 
     @property
     def times(self) -> tuple[float, ...] | None:

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -18,6 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.export import Choice
 from app.playback import Repeat
 from app.view.files.export_dialog import ExportDialog
 from app.view.files.look_fields import LookFields
@@ -25,6 +27,9 @@ from app.view.files.times_field import TimesField
 from app.view.files.waiting import Waiting
 from starskel.easing import Easing
 from starskel.files.examples import example
+from starskel.sheet.drawing import Stroke
+from starskel.sheet.keyframe import Shown
+from starskel.sheet.style import Look
 from tests.app.driver import CONTROL, Driver, name_file
 
 pytestmark = pytest.mark.usefixtures("own_dialogs")
@@ -217,6 +222,41 @@ def test_times_gap_and_tolerance_are_as_wanted(driver: Driver, tmp_path: Path) -
     assert len(fine) > len(rough)
 
 
+def test_the_next_export_begins_with_what_was_chosen_though_no_file_was_named(driver: Driver) -> None:
+    driver.draw_both()
+    driver.wait_for_blends()
+    wanted = Choice(
+        "pages",
+        "vertex",
+        frames=9,
+        shown=Shown(marks=True, pictures=False),
+        seconds=driver.window.player.duration,
+        returning=True,
+        pixels=300,
+        rate=12,
+        look=Look(("#102030", "#405060"), Stroke("#708090", 2.5), "#a0b0c0", 5, 7, 90, signs=False),
+        times=(0.0, 0.125, 1.0),
+        tolerance=0.005,
+    )
+    found: list[Choice] = []
+
+    def think_better_of_it(dialog: QWidget) -> None:
+        assert isinstance(dialog, ExportDialog)
+        dialog.begin_with(wanted)
+        driver.in_dialog(lambda files: files.close())
+        dialog.accept()
+
+    def look(dialog: QWidget) -> None:
+        assert isinstance(dialog, ExportDialog)
+        found.append(dialog.choice)
+        dialog.reject()
+
+    for act in (think_better_of_it, look):
+        driver.in_dialog(act)
+        driver.key(Qt.Key.Key_E, CONTROL)
+    assert found == [replace(wanted, t=driver.window.player.t)]
+
+
 @pytest.mark.parametrize(
     ("language", "text", "times"),
     [
@@ -244,6 +284,7 @@ def _exporting(driver: Driver, row: int, path: Path):  # type: ignore[no-untyped
     def act(dialog: QWidget) -> None:
         assert isinstance(dialog, ExportDialog)
         layouts = dialog.findChildren(QComboBox)[0]
+        QTest.keyClick(layouts, Qt.Key.Key_Home)
         for _ in range(row):
             QTest.keyClick(layouts, Qt.Key.Key_Down)
         driver.in_dialog(lambda inner: _name(inner, path))
