@@ -189,8 +189,13 @@ def test_all_dialogs_begin_where_a_file_was_chosen_last(driver: Driver, tmp_path
         seen.append(dialog.directory().absolutePath())
         dialog.reject()
 
+    def save_there(dialog: QWidget) -> None:
+        assert isinstance(dialog, QFileDialog)
+        dialog.setDirectory(str(folder))
+        name_file(dialog, "boxes")
+
     driver.draw_both()
-    driver.in_dialog(lambda dialog: name_file(dialog, "elsewhere/boxes"))
+    driver.in_dialog(save_there)
     driver.key(Qt.Key.Key_S, CONTROL)
     for key, modifiers in (
         (Qt.Key.Key_I, CONTROL),
