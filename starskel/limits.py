@@ -59,12 +59,12 @@ EDGES = 2_000_000
 RING_VERTICES = 100_000
 """Vertices of a ring of a file."""
 
-ALIGNED_PAIRS = 150_000_000
-"""Pairs of vertices, one of each shape between two marks, that are compared: each takes 24 bytes."""
+ALIGNED_PAIRS = 400_000_000
+"""Pairs of vertices, one of each shape between two marks, that are compared: each takes a byte."""
 
 DECOMPOSED_VERTICES = 10_000
 """Vertices of a pair, those that the correspondence inserted included, that is cut into several pieces: any
-two take some 30 bytes."""
+two take some 30 bytes. Those on straight runs of both polygons do not count."""
 
 PICTURE_BYTES = 200_000_000
 """A file of a picture."""

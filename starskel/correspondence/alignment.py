@@ -5,6 +5,8 @@ its price.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,9 +29,31 @@ _AT_ONCE = 16
 _MATCH, _SKIP_FIRST, _SKIP_SECOND = 0, 1, 2
 
 
+class Prices(Protocol):
+    """What aligning two sequences of p and q costs; leading axes hold alternatives, aligned side by side."""
+
+    @property
+    def first_alone(self) -> Floats:
+        """The prices of leaving alone each of the first, (..., p)."""
+
+    @property
+    def second_alone(self) -> Floats:
+        """The prices of leaving alone each of the second, (..., q)."""
+
+    def along(self, diagonal: int, low: int, high: int) -> Floats:
+        """Give the prices of matching the i-th of the first, from 1, with the (diagonal - i)-th of the other.
+
+        Parameters
+        ----------
+        diagonal : int
+        low, high : int
+            i goes from the one up to the other; where i or diagonal - i is 0 the price is infinite.
+        """
+
+
 @dataclass(frozen=True, eq=False)
-class Prices:
-    """What aligning two sequences costs.
+class Table:
+    """Prices of which each is known by itself.
 
     Attributes
     ----------
@@ -37,21 +61,32 @@ class Prices:
         The price of matching each of the first with each of the second.
     first_alone : (..., p) array
     second_alone : (..., q) array
-        The prices of leaving them alone. Leading axes hold alternatives that are aligned side by side.
     """
 
     match: Floats
     first_alone: Floats
     second_alone: Floats
 
+    def along(self, diagonal: int, low: int, high: int) -> Floats:
+        """Give the prices along a diagonal, as `Prices` says: they are evenly spaced in memory."""
+        step = self.match.shape[-1] + 1
+        return self._flat[..., diagonal + low * step : diagonal + (high - 1) * step + 1 : step]
+
+    @cached_property
+    def _flat(self) -> Floats:
+        *alternatives, p, q = self.match.shape
+        margins = [*[(0, 0)] * len(alternatives), (1, 0), (1, 1)]
+        padded = np.pad(self.match, margins, constant_values=np.inf)
+        return padded.reshape(*alternatives, (p + 1) * (q + 2))
+
 
 def align(prices: Prices, task: Task) -> list[tuple[int, int]]:
     """Give the matched pairs of the cheapest alignment, in order."""
     _, moves = _cheapest(prices, task, keep_moves=True)
     pairs = []
-    i, j = prices.match.shape
+    i, j = prices.first_alone.shape[-1], (q := prices.second_alone.shape[-1])
     while i and j:
-        move = moves[i + j][i]
+        move = moves[i + j][i - max(0, i + j - q)]
         i -= move != _SKIP_SECOND
         j -= move != _SKIP_FIRST
         if move == _MATCH:
@@ -67,37 +102,32 @@ def alignment_prices(prices: Prices, task: Task) -> Floats:
 def _cheapest(prices: Prices, task: Task, keep_moves: bool) -> tuple[Floats, list[NDArray[np.int8]]]:
     """Fill the table of prices by anti-diagonals; cell (i, j) aligns the first i and the first j.
 
-    Column i of a diagonal stands at i + 1, behind a column of infinities. The prices of matching lie so that
-    those of a diagonal are evenly spaced in memory.
+    Column i of a diagonal stands at i + 1, behind a column of infinities. Of each diagonal only the moves are
+    kept, a byte for each of its cells.
     """
-    *alternatives, p, q = prices.match.shape
-    margins = [(0, 0)] * len(alternatives)
-    match = np.pad(prices.match, [*margins, (1, 0), (1, 1)], constant_values=np.inf)
-    match = match.reshape(*alternatives, (p + 1) * (q + 2))
-    first = np.pad(prices.first_alone, [*margins, (1, 0)], constant_values=np.inf)
-    second = np.pad(prices.second_alone, [*margins, (1, 0)], constant_values=np.inf)[..., ::-1]
+    *alternatives, p = prices.first_alone.shape
+    q = prices.second_alone.shape[-1]
+    margins = [*[(0, 0)] * len(alternatives), (1, 0)]
+    first = np.pad(prices.first_alone, margins, constant_values=np.inf)
+    second = np.pad(prices.second_alone, margins, constant_values=np.inf)[..., ::-1]
     blank = np.full((*alternatives, p + 2), np.inf)
     before, last = blank, blank.copy()
     last[..., 1] = 0.0
-    moves = [np.zeros(p + 1, dtype=np.int8)]
+    moves = [np.zeros(1, dtype=np.int8)]
     for diagonal in range(1, p + q + 1):
         if diagonal % _AT_ONCE == 0:
             task.reach(0)
         low, high = max(0, diagonal - q), min(p, diagonal) + 1
         rows, columns = slice(low, high), slice(q - diagonal + low, q - diagonal + high)
-        cells = slice(diagonal + low * (q + 1), diagonal + (high - 1) * (q + 1) + 1, q + 1)
-        matched = match[..., cells] + before[..., rows]
+        matched = prices.along(diagonal, low, high) + before[..., rows]
         skip_first = last[..., rows] + first[..., rows]
         skip_second = last[..., low + 1 : high + 1] + second[..., columns]
         skip = np.minimum(skip_first, skip_second)
         before, last = last, blank.copy()
         last[..., low + 1 : high + 1] = np.minimum(matched, skip)
         if keep_moves:
-            move = np.zeros(p + 1, dtype=np.int8)
-            move[rows] = np.where(
-                matched <= skip, _MATCH, np.where(skip_first <= skip_second, _SKIP_FIRST, _SKIP_SECOND)
-            )
-            moves.append(move)
+            skipped = np.where(skip_first <= skip_second, _SKIP_FIRST, _SKIP_SECOND)
+            moves.append(np.where(matched <= skip, _MATCH, skipped).astype(np.int8))
     return last[..., p + 1], moves
 
 
@@ -117,18 +147,36 @@ class Chain:
         return cls(arcs[:-1] / arcs[-1], turning_angles(ring)[edges[1:]])
 
 
-def chain_prices(first: Chain, second: Chain) -> Prices:
-    """Give what aligning two chains costs.
+class ChainPrices:
+    """What aligning two chains costs; the prices of matches are made when they are asked for.
+
+    Parameters
+    ----------
+    first, second : Chain
 
     Raises
     ------
     StarskelError
-        If the table of all pairs of their vertices would be too large.
+        If there are too many pairs of their vertices.
     """
-    pairs = len(first.shares) * len(second.shares)
-    mend = told("set marks between them, or simplify the shapes")
-    check_size(told("pairs of vertices to be compared"), pairs, ALIGNED_PAIRS, mend)
-    turns = TURN_PRICE / np.pi * first.turns, TURN_PRICE / np.pi * second.turns
-    match = np.abs(np.subtract.outer(first.shares, second.shares))
-    match += np.abs(np.subtract.outer(*turns))
-    return Prices(match, ALONE_PRICE + np.abs(turns[0]), ALONE_PRICE + np.abs(turns[1]))
+
+    def __init__(self, first: Chain, second: Chain) -> None:
+        pairs = len(first.shares) * len(second.shares)
+        mend = told("set marks between them, or simplify the shapes")
+        check_size(told("pairs of vertices to be compared"), pairs, ALIGNED_PAIRS, mend)
+        turns = [TURN_PRICE / np.pi * chain.turns for chain in (first, second)]
+        self.first_alone, self.second_alone = (ALONE_PRICE + np.abs(own) for own in turns)
+        self._count = len(second.shares)
+        self._shares = _edged(first.shares, np.inf), _edged(second.shares, np.inf)[::-1]
+        self._turns = _edged(turns[0], 0.0), _edged(turns[1], 0.0)[::-1]
+
+    def along(self, diagonal: int, low: int, high: int) -> Floats:
+        """Give the prices along a diagonal, as `Prices` says."""
+        i, j = slice(low, high), slice(self._count - diagonal + low, self._count - diagonal + high)
+        prices: Floats = np.abs(self._shares[0][i] - self._shares[1][j])
+        prices += np.abs(self._turns[0][i] - self._turns[1][j])
+        return prices
+
+
+def _edged(values: Floats, edge: float) -> Floats:
+    return np.concatenate([[edge], values])

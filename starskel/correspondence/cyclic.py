@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.arrays import Floats, Indices
-from starskel.correspondence.alignment import Prices, align, alignment_prices
+from starskel.correspondence.alignment import Table, align, alignment_prices
 from starskel.correspondence.landmarks import EXACT_DIGITS, Landmarks
 from starskel.correspondence.works import SHAPES, Starts, Works, prices_from, rotations
 from starskel.task import Task
@@ -62,7 +62,7 @@ def price(first: Landmarks, second: Landmarks, alignment: Alignment) -> float:
 def _alignment(first: Landmarks, second: Landmarks, starts: Starts, works: Works, task: Task) -> Alignment:
     """Give the cheapest alignment that matches two landmarks."""
     _, prices = prices_from(first, second, starts, works)
-    one = Prices(prices.match[0], prices.first_alone[0], prices.second_alone[0])
+    one = Table(prices.match[0], prices.first_alone[0], prices.second_alone[0])
     pairs = np.array([(-1, -1), *align(one, task)], dtype=np.intp) + 1
     return Alignment((starts[0] + pairs[:, 0]) % len(first), (starts[1] + pairs[:, 1]) % len(second))
 

@@ -8,7 +8,7 @@ import shapely
 from numpy.typing import ArrayLike
 
 from starskel.arrays import Floats, Indices
-from starskel.correspondence.alignment import Chain, align, chain_prices
+from starskel.correspondence.alignment import Chain, ChainPrices, align
 from starskel.correspondence.insertion import Rows, inserted, merged
 from starskel.correspondence.marks import Mark, as_marks, checked_marks
 from starskel.correspondence.pair import Correspondence
@@ -107,7 +107,7 @@ def _aligned(source: Floats, target: Floats, marks: list[Mark], task: Task) -> l
     """Give all pairs of vertices that correspond, in the order round the source from the first mark."""
     matched: list[Mark] = []
     for (i, j), (next_i, next_j) in zip(marks, [*marks[1:], marks[0]], strict=True):
-        pairs = align(chain_prices(Chain.of(source, i, next_i), Chain.of(target, j, next_j)), task)
+        pairs = align(ChainPrices(Chain.of(source, i, next_i), Chain.of(target, j, next_j)), task)
         matched.append((i, j))
         matched += [((i + 1 + k) % len(source), (j + 1 + m) % len(target)) for k, m in pairs]
     return matched

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.arrays import Complex, Floats, Indices
-from starskel.correspondence.alignment import Prices
+from starskel.correspondence.alignment import Table
 from starskel.correspondence.landmarks import Landmarks
 
 Starts = tuple[Indices, Indices]
@@ -52,7 +52,7 @@ _LEAST_WEIGHT = 0.2
 """The weight of a match where neither outline bends at all, against one of right angles."""
 
 
-def prices_from(first: Landmarks, second: Landmarks, starts: Starts, works: Works) -> tuple[Floats, Prices]:
+def prices_from(first: Landmarks, second: Landmarks, starts: Starts, works: Works) -> tuple[Floats, Table]:
     """Give the prices of matching the starts, and those for all other landmarks in order from there."""
     rows, columns = (
         (start[:, None] + np.arange(len(outline))) % len(outline)
@@ -72,7 +72,7 @@ def prices_from(first: Landmarks, second: Landmarks, starts: Starts, works: Work
         match += works.direction / np.pi * np.abs(np.angle(ratios))
     match *= _weights(first, second)[rows[:, :, None], columns[:, None, :]]
     alone = [works.alone + works.turn / np.pi * np.abs(outline.turns) for outline in (first, second)]
-    return match[:, 0, 0], Prices(match[:, 1:, 1:], alone[0][rows[:, 1:]], alone[1][columns[:, 1:]])
+    return match[:, 0, 0], Table(match[:, 1:, 1:], alone[0][rows[:, 1:]], alone[1][columns[:, 1:]])
 
 
 def rotations(first: Landmarks, second: Landmarks, starts: Starts) -> Complex:

@@ -16,6 +16,7 @@ from starskel.decomposition.pieces import Decomposition, Piece
 from starskel.decomposition.reduce import reduce
 from starskel.decomposition.rivals import by_rivals
 from starskel.decomposition.shape import shaped
+from starskel.decomposition.thinning import refilled, thinned
 from starskel.decomposition.transfer import transfer
 from starskel.errors import NoDecomposition, told
 from starskel.limits import DECOMPOSED_VERTICES, check_size
@@ -41,7 +42,8 @@ def decompose(
     common star vertex, are as few as can be, and of the decompositions with so few pieces it is the one with
     the shortest cuts. Elsewhere Steiner vertices are placed, few of them. By "convex" a convex decomposition
     of one polygon is carried over to the other and refined, with Steiner vertices where a cut has to go round
-    a corner.
+    a corner. Of more than 2000 vertices those on straight runs of both polygons are left out of the search as
+    far as need be: then the pieces are few, not always as few as can be.
 
     Parameters
     ----------
@@ -99,7 +101,8 @@ def _decomposed(
     task.reach(0)
     reading = canonical(pair)
     board = Board(*(points_of(ring) for ring in reading.read(pair)))
-    pieces = tile(board, tuple(range(board.n)), task)
+    whole = thinned(board)
+    pieces = refilled(tile(board, whole, task), whole, board.n)
     found = _finished(pair, board, pieces, reading, task.quiet)
     task.reach(1)
     return found
@@ -108,7 +111,7 @@ def _decomposed(
 def _minimal(board: Board, whole: Piece, steiner: bool, task: Task) -> list[Piece]:
     if board.are_stars([whole], task.quiet)[0]:  # the tables would take O(n^3) to end with no fewer
         return [whole]
-    _check_size(board)
+    _check_size(whole)
     pieces = minimal_pieces(board.links([whole], task.quiet), task.part(0, 0.5))
     if pieces is not None:
         return pieces
@@ -122,19 +125,19 @@ def _minimal(board: Board, whole: Piece, steiner: bool, task: Task) -> list[Piec
 
 
 def _by_fans(board: Board, whole: Piece, task: Task) -> list[Piece]:
-    _check_size(board)
+    _check_size(whole)
     return climb(board, [whole], by_fan, task)[0]
 
 
-def _check_size(board: Board) -> None:
+def _check_size(whole: Piece) -> None:
     mend = told("simplify the shapes, or take a method that needs no pieces")
-    check_size(told("vertices to be cut into pieces"), board.n, DECOMPOSED_VERTICES, mend)
+    check_size(told("vertices to be cut into pieces"), len(whole), DECOMPOSED_VERTICES, mend)
 
 
 def _convex(board: Board, whole: Piece, steiner: bool, task: Task) -> list[Piece]:
     if board.are_stars([whole], task.quiet)[0]:
         return [whole]
-    _check_size(board)
+    _check_size(whole)
     pieces = transfer(board, whole, task.part(0, 0.9))
     pieces = _polished(board, pieces, task.part(0.9, 1))
     if not steiner and any(v >= board.n for piece in pieces for v in piece):

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from starskel.arrays import Flags, Floats
+from starskel.arrays import Flags, Floats, Indices, Signs
 from starskel.decomposition.half_planes import Lines, left_of_all
 from starskel.points import Points
 from starskel.rings import Rings, ranges
@@ -12,6 +12,9 @@ from starskel.task import UNWATCHED, Task
 
 _FIRST_EDGES = 8
 """Edges that vertices are held against at first; each time those left are held against twice as many."""
+
+_LARGE = 200
+"""Vertices of a ring from which on it pays to look for straight runs first."""
 
 _PAIRS = 1 << 16
 """Pairs of a vertex and an edge that are looked at between two questions whether to stop, or few more."""
@@ -24,19 +27,48 @@ def star_vertices(sides: Sequence[Points], rings: Rings, task: Task = UNWATCHED)
     """
     ends = rings.rows[rings.following]
     star = np.arange(len(rings.rows))
-    most = int(rings.counts.max(initial=0))
     for points in sides:
+        edges, first, counts = _lines(points, rings)
+        most = int(counts.max(initial=0))
         done, step = 0, _FIRST_EDGES
         while done < most and len(star):
             task.reach(0)
             owner = rings.owner[star]
-            held, edge = ranges(rings.first[owner] + done, (rings.counts[owner] - done).clip(0, step))
+            held, place = ranges(first[owner] + done, (counts[owner] - done).clip(0, step))
+            edge = edges[place]
             right = points.orientation(rings.rows[edge], ends[edge], rings.rows[star[held]]) < 0
             star = star[np.bincount(held[right], minlength=len(star)) == 0]
             done, step = done + step, max(_FIRST_EDGES, min(2 * step, _PAIRS // max(1, len(star))))
     stars = np.zeros(len(rings.rows), dtype=bool)
     stars[star] = True
     return stars
+
+
+def _lines(points: Points, rings: Rings) -> tuple[Indices, Indices, Indices]:
+    """Give the edges that vertices are held against; for each ring the first of these, and how many.
+
+    Of large rings they are one edge for each straight run, and none where the ring is convex.
+    """
+    if rings.counts.max(initial=0) < _LARGE:
+        return np.arange(len(rings.rows)), rings.first, rings.counts
+    signs = turns(points, rings)
+    convex = np.minimum.reduceat(signs, rings.first) >= 0
+    edges = np.flatnonzero((signs != 0) & ~convex[rings.owner])
+    counts = np.bincount(rings.owner[edges], minlength=len(rings.counts))
+    return edges, np.cumsum(counts) - counts, counts
+
+
+def turns(points: Points, rings: Rings) -> Signs:
+    """Tell whether rings turn left (1), right (-1) or not at all (0) at each vertex."""
+    return points.orientation(rings.rows[rings.preceding], rings.rows, rings.rows[rings.following])
+
+
+def _without_straight(points: Points, rings: Rings) -> Rings:
+    """Leave out of large rings vertices at which they do not turn: all edges of a run lie on one line."""
+    if rings.counts.max(initial=0) < _LARGE:
+        return rings
+    bent = turns(points, rings) != 0
+    return Rings(rings.rows[bent], np.bincount(rings.owner[bent], minlength=len(rings.counts)))
 
 
 def star_points(sides: Sequence[Points], rings: Rings, task: Task = UNWATCHED) -> list[tuple[Floats, Floats]]:
@@ -55,7 +87,7 @@ def star_points(sides: Sequence[Points], rings: Rings, task: Task = UNWATCHED) -
 
 
 def _star_points(points: Points, rings: Rings, task: Task) -> tuple[Floats, Floats]:
-    lines = Lines.round(rings, points.coordinates.view(np.complex128)[:, 0])
+    lines = Lines.round(_without_straight(points, rings), points.coordinates.view(np.complex128)[:, 0])
     kernels = left_of_all(lines, task)
     centroids, areas = kernels.measured()
     areas[kernels.size == 0] = -1

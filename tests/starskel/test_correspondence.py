@@ -12,9 +12,9 @@ from starskel.correspondence.alignment import (
     ALONE_PRICE,
     TURN_PRICE,
     Chain,
+    ChainPrices,
     align,
     alignment_prices,
-    chain_prices,
 )
 from starskel.correspondence.insertion import inserted, merged
 from starskel.crossings import crossing_edges
@@ -213,7 +213,7 @@ def test_the_alignment_is_the_cheapest_of_all():
             for a in combinations(range(p), k)
             for b in combinations(range(q), k)
         ]
-        prices = chain_prices(first, second)
+        prices = ChainPrices(first, second)
         found = align(prices, Task())
         assert price(first, second, found) == pytest.approx(min(every), abs=1e-12)
         assert alignment_prices(prices, Task()) == pytest.approx(min(every), abs=1e-12)

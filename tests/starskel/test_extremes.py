@@ -1,5 +1,7 @@
 """Extreme coordinates: a correct result by every method, or a clear refusal, and never a warning."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 
@@ -60,17 +62,17 @@ def bracelet(count):
     return np.concatenate([2 * arc, arc[::-1]])
 
 
-def test_more_vertices_than_can_be_compared_are_refused_before_memory_is_taken():
-    large = starskel.Polygon(bracelet(13_000))
+def test_more_vertices_than_can_be_compared_are_refused_before_memory_is_taken(in_little_memory):
+    large = bracelet(20_100)
     with pytest.raises(
-        starskel.StarskelError, match="pairs of vertices to be compared, and at most 150000000"
+        starskel.StarskelError, match="pairs of vertices to be compared, and at most 400000000"
     ):
-        starskel.match(large, large, marks=[(0, 0)])
+        in_little_memory(starskel.match, large, large, [(0, 0)])
 
 
-def test_more_vertices_than_can_be_cut_are_refused_before_memory_is_taken():
+def test_more_vertices_than_can_be_cut_are_refused_before_memory_is_taken(in_little_memory):
     ring, rows = bracelet(10_002), np.arange(10_002)
     pair = starskel.Correspondence(ring, ring, (), rows, rows)
     for algorithm in ("minimal", "convex"):
         with pytest.raises(starskel.StarskelError, match="10002 vertices to be cut into pieces, and at most"):
-            starskel.decompose(pair, algorithm=algorithm)
+            in_little_memory(partial(starskel.decompose, algorithm=algorithm), pair)
