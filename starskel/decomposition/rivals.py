@@ -33,6 +33,10 @@ FEW = 6
 HIDDEN = 0.5
 """In a large cell a fan that leaves more of the vertices hidden is never the first of few."""
 
+HOPE = 0.65
+"""The best fan at one place in each triangle hides little more than the best of all: beyond this share of the
+vertices it is not worth looking for that."""
+
 HOPELESS = 3
 """What needs so many times the Steiner vertices of a way that is reduced is not: it seldom gets better."""
 
@@ -60,8 +64,7 @@ class _Contest:
 
 def by_rivals(board: Board, cells: list[Piece], task: Task) -> list[list[Piece]]:
     """Free stuck cells, each in the cheapest of several ways."""
-    tried = [max(1, min(MOST_TRIED, TRIED_VERTICES // len(cell))) for cell in cells]
-    contests = [_Contest(stuck) for stuck in survey(board, cells, tried, task.quiet)]
+    contests = [_Contest(stuck) for stuck in _surveyed(board, cells, task.quiet)]
     task.reach(0.1)
     small = [contest for contest in contests if len(contest.stuck.ring) <= LARGE]
     _fan_out(board, [(c, fan) for c in small for fan in c.stuck.fans[:1]], task.quiet)
@@ -76,6 +79,22 @@ def by_rivals(board: Board, cells: list[Piece], task: Task) -> list[list[Piece]]
     return [cheapest(board, contest.stuck, contest.found, task.quiet) for contest in contests]
 
 
+def _surveyed(board: Board, cells: list[Piece], task: Task) -> list[Stuck]:
+    """Look for fans in all cells, but in large ones thoroughly only where a glance gives hope."""
+    large = [cell for cell in cells if len(cell) > LARGE]
+    glanced = survey(board, large, [1] * len(large), task, samples=1)
+    found = {stuck.ring: stuck for stuck in glanced if _hides(stuck, HOPE)}
+    left = [cell for cell in cells if cell not in found]
+    tried = [max(1, min(MOST_TRIED, TRIED_VERTICES // len(cell))) for cell in left]
+    found.update((stuck.ring, stuck) for stuck in survey(board, left, tried, task))
+    return [found[cell] for cell in cells]
+
+
+def _hides(stuck: Stuck, share: float) -> bool:
+    """Tell whether the best fan leaves more than a share of the vertices hidden."""
+    return not stuck.fans or stuck.fans[0].hidden > share * len(stuck.ring)
+
+
 def _fan_out(board: Board, fans: list[tuple[_Contest, Fan]], task: Task) -> None:
     """Free cells beginning with fans, all of them at once."""
     rings = [(contest.stuck.ring, fan) for contest, fan in fans]
@@ -85,7 +104,7 @@ def _fan_out(board: Board, fans: list[tuple[_Contest, Fan]], task: Task) -> None
 
 def _few(board: Board, stuck: Stuck, task: Task) -> list[Piece]:
     """Free a large cell by fans, as long as these are few."""
-    if not stuck.fans or stuck.fans[0].hidden > HIDDEN * len(stuck.ring):
+    if _hides(stuck, HIDDEN):
         raise _TooManyError
     most = len(board) + len(stuck.ring) // FEW
 

@@ -68,16 +68,18 @@ class Stuck:
     fans: list[Fan]
 
 
-def survey(board: Board, cells: Sequence[Piece], most: Sequence[int], task: Task) -> list[Stuck]:
+def survey(
+    board: Board, cells: Sequence[Piece], most: Sequence[int], task: Task, samples: int = len(_WEIGHTS)
+) -> list[Stuck]:
     """Look for ways to free stuck cells, at most so many for each by one Steiner vertex.
 
-    Every pocket has fewer vertices than its cell.
+    Every pocket has fewer vertices than its cell. In each triangle so many places are looked at.
     """
     wanted = dict(zip(cells, most, strict=True))
     found = {}
     for handful in handfuls(set(cells), TABLED_AT_ONCE, len):
         grounds = board.triangulated(handful, task)
-        places = zip(*(_places(ground, task) for ground in grounds), strict=True)
+        places = zip(*(_places(ground, samples, task) for ground in grounds), strict=True)
         for cell, (first, second), count in zip(handful, places, crossings(*grounds), strict=True):
             fans = [
                 Fan(
@@ -97,17 +99,17 @@ class _Places:
     sees: Flags
 
 
-def _places(ground: Triangulation, task: Task) -> list[_Places]:
+def _places(ground: Triangulation, samples: int, task: Task) -> list[_Places]:
     """Sample the triangles; of the places that see the same vertices of their ring keep one."""
     corners = ground.vertices[ground.triangles]
-    weights = _WEIGHTS[: max(1, MOST_SAMPLES // len(corners))]
-    samples = np.einsum("ws,fsx->fwx", weights / weights.sum(axis=1, keepdims=True), corners).reshape(-1, 2)
+    weights = _WEIGHTS[: max(1, min(samples, MOST_SAMPLES // len(corners)))]
+    at = np.einsum("ws,fsx->fwx", weights / weights.sum(axis=1, keepdims=True), corners).reshape(-1, 2)
     triangles = np.repeat(np.arange(len(corners)), len(weights))
-    sees = visibility_from(ground, samples, triangles, task).diagonal
+    sees = visibility_from(ground, at, triangles, task).diagonal
     places = []
     for ring, (first, last) in enumerate(zip(ground.rings.first, ground.rings.last, strict=True)):
         own = np.flatnonzero(ground.owner[triangles] == ring)
-        places.append(_distinct(samples[own], sees[own, first : last + 1]))
+        places.append(_distinct(at[own], sees[own, first : last + 1]))
     return places
 
 
