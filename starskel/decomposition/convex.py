@@ -62,7 +62,8 @@ class _Pieces:
     def __init__(self, points: Points, ring: Indices, seen: Visibility, price: Price) -> None:
         n = len(ring)
         self._seen = seen
-        self._price = price
+        every = np.arange(n)
+        self._price = price(every[:, None], every)
         self._last, self._first = _limits(points, ring, seen)
         self._least = np.full((n, n), np.inf)
         self._cut = np.full((n, n), np.inf)
@@ -94,7 +95,7 @@ class _Pieces:
         narrow = np.maximum.accumulate(np.where(np.isfinite(cost), narrow, -np.inf), axis=1)
         self._narrowest[i[:, None], k[:, None], i[:, None] + np.arange(1, span)] = narrow
         proper = self._seen.diagonal[i, k]
-        self._cut[i[proper], k[proper]] = 1 + least[proper] + self._price(i[proper], k[proper])
+        self._cut[i[proper], k[proper]] = 1 + least[proper] + self._price[i[proper], k[proper]]
 
     def _costs(self, i: Indices, span: int) -> tuple[Floats, Indices]:
         """Give, for pieces on (i, i + span) with each last vertex in turn, the cost and the first vertex."""
