@@ -1,10 +1,11 @@
 """All rings of a blend of shapes together: which of them may touch, and whether they do on the way.
 
 Two excuses: rings of parts that meet in the source or the target may meet on the way; and a ring that grows
-from a point or shrinks to one is, next to that point, a copy of itself that grows evenly.
+from a point or shrinks to one is, next to that point, a copy of itself that grows evenly, as are all rings of
+its part that come from there.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from itertools import combinations
 
@@ -13,6 +14,7 @@ import shapely
 
 from starskel.arrays import Flags, Floats, Indices
 from starskel.certificate import safe_rings
+from starskel.crossings import rings_meet
 from starskel.outline import cross_themselves
 from starskel.shapes.correspondence import PartPair
 
@@ -59,11 +61,12 @@ class JointRings:
         """Tell whether in the even motion from one frame to another no rings touch; exact."""
         excused = self._may_touch[self._ring_of[:, None], self._ring_of]
         for frame, other in ((before, after), (after, before)):
-            for ring in self.points(frame).tolist():
-                rows = self.rows_of(ring)
-                if _crosses_itself(other[rows]):
+            for together in self._points_together(frame):
+                grown = [other[self.rows_of(ring)] for ring in together]
+                if rings_meet(grown) or any(map(_crosses_itself, grown)):
                     return False
-                excused = excused | np.outer(self._ring_of == ring, self._ring_of == ring)
+                own = np.isin(self._ring_of, together)
+                excused = excused | np.outer(own, own)
         return safe_rings(before, after, self.following, excused)
 
     def sound(self, frame: Floats) -> bool:
@@ -107,6 +110,14 @@ class JointRings:
         """Give the rings that are a point in a frame."""
         low, high = (ufunc.reduceat(frame, self.starts, axis=0) for ufunc in (np.minimum, np.maximum))
         return np.flatnonzero((low == high).all(axis=1))
+
+    def _points_together(self, frame: Floats) -> Iterable[list[int]]:
+        """Give the rings that are a point in a frame, those of one part that are the same one together."""
+        found: dict[tuple[float, ...], list[int]] = {}
+        for ring in self.points(frame).tolist():
+            where = (self.part_of[ring], *frame[self.starts[ring]])
+            found.setdefault(where, []).append(ring)
+        return found.values()
 
     @cached_property
     def _may_touch(self) -> Flags:

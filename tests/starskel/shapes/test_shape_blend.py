@@ -218,6 +218,21 @@ def test_a_certified_blend_says_which_rings_have_to_meet():
         starskel.blend(inside, outside, pairing=[(0, 0), (1, 1), (2, 2)], method="certified")
 
 
+@pytest.mark.parametrize("backwards", [False, True])
+def test_a_certified_part_with_holes_grows_from_a_point(backwards):
+    """Its rings touch where they are the same point, at one end, and nowhere else."""
+    more = Shape([*BAR, *moved(O, 0, 300)])
+    ends, pairing = (Shape(BAR), more), [(0, 0), (None, 1), (None, 2)]
+    if backwards:
+        ends, pairing = ends[::-1], [(j, i) for i, j in pairing]
+    blend = starskel.blend(*ends, pairing=pairing, method="certified")
+    assert starskel.measure(blend, 21).simple
+    for t in np.linspace(0, 1, 41)[1:-1]:
+        parts = blend.shape_at(t)
+        assert parts.is_valid
+        assert [len(part.interiors) for part in parts.geoms] == [0, 1]
+
+
 @pytest.mark.parametrize(
     ("seed", "what"),
     [
