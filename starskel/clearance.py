@@ -58,6 +58,7 @@ def clearance(keys: Floats, task: Task = UNWATCHED) -> float:
 def _least(corners: Complex, known: float) -> float:
     """Give the least distance of (4, k) edges in motion, two ends before and two after, or what is known."""
     for _ in range(_HALVINGS):
+        corners = corners[:, _rough_bounds(corners) < TIGHT * known]
         corners = corners[:, _bounds(corners) < TIGHT * known]
         if not corners.shape[1]:
             return known
@@ -85,15 +86,15 @@ class Swept(NamedTuple):
     bounds: Floats
 
     @classmethod
-    def of(cls, before: Complex, after: Complex, vertex: Indices, edge: Indices) -> "Swept":
-        """Look at some pairs of a ring that moves from one (n,) frame to another."""
+    def nearer(
+        cls, before: Complex, after: Complex, vertex: Indices, edge: Indices, distance: float
+    ) -> "Swept":
+        """Give those of some pairs that may come nearer than a distance, from one (n,) frame to another."""
         corners = np.array([*seen_ends(before, vertex, edge), *seen_ends(after, vertex, edge)])
-        return cls(vertex, edge, corners, _bounds(corners))
-
-    def nearer(self, distance: float | Floats) -> "Swept":
-        """Give those that may come nearer than a distance, one for all or one for each."""
-        near = self.bounds < distance
-        return Swept(self.vertex[near], self.edge[near], self.corners[:, near], self.bounds[near])
+        near = np.flatnonzero(_rough_bounds(corners) < distance)
+        bounds = _bounds(corners[:, near])
+        near, bounds = near[bounds < distance], bounds[bounds < distance]
+        return cls(vertex[near], edge[near], corners[:, near], bounds)
 
     def keep(self, floors: Floats) -> bool:
         """Tell whether all keep their distances, (k,); it may be no where one is all but reached."""
@@ -129,6 +130,13 @@ def _nearest(p: Complex, q: Complex) -> Complex:
     squared = along.real**2 + along.imag**2
     share = -(along.real * p.real + along.imag * p.imag) / np.where(squared > 0, squared, 1.0)
     return np.asarray(p + np.minimum(np.maximum(share, 0.0), 1.0) * along)
+
+
+def _rough_bounds(corners: Complex) -> Floats:
+    """Give quick lower bounds of the same: the distance half-way, less what the edge moves from there."""
+    before, after = corners[:2], corners[2:]
+    moved = np.abs(after - before).max(axis=0)
+    return np.asarray(np.abs(_nearest(*(before + after) / 2)) - moved / 2)
 
 
 def _bounds(corners: Complex) -> Floats:

@@ -24,7 +24,7 @@ from starskel.shapes.meta_skeleton import Tree
 from starskel.shapes.shape_blend import ShapeBlend
 from starskel.task import Task
 
-LINKS = (64,)
+LINKS = (64, 64)
 """So many links are looked at first."""
 
 FARTHEST, CLOSEST = 2.0**-6, 2.0**-16

@@ -28,7 +28,7 @@ from starskel.task import Task
 MARGINS = (1 / 32, 1 / 8, 1.0)
 """By how much a gap is widened, in time, before it is bridged; else it is the whole."""
 
-LINKS = (32,)
+LINKS = (32, 32)
 """How many links a morph has at first, over the whole time."""
 
 _Part = tuple[Indices, Fans]

@@ -19,8 +19,8 @@ Linked = Callable[[Floats, Floats], bool]
 Sound = Callable[[Floats], bool]
 """Tells whether a frame is one that may be linked."""
 
-LINKS = (32, 64, 128)
-"""Numbers of links that are tried in turn, until the motion between the frames is even enough."""
+LINKS = (32, 128)
+"""The least and the most links: they are halved until the motion between the frames is even enough."""
 
 EVEN = 2e-4
 """Frames half-way between keys differ by less from the guide's, at every vertex, as a part of the size."""
@@ -54,7 +54,7 @@ def chains_between(  # noqa: PLR0913, PLR0917 -- the last two are for special ca
     guide: Guide,
     linked: Linked,
     task: Task,
-    links: tuple[int, ...] = LINKS,
+    links: tuple[int, int] = LINKS,
     sound: Sound = is_simple,
 ) -> list[Chain]:
     """Give a guide's frames as chains of good links; there are gaps between one chain and the next.
@@ -92,18 +92,21 @@ def filled(chains: list[Chain], guide: Guide, linked: Linked, task: Task) -> lis
     return done
 
 
-def _even(ends: tuple[Key, Key], guide: Guide, numbers: tuple[int, ...], task: Task) -> tuple[Floats, Floats]:
+def _even(ends: tuple[Key, Key], guide: Guide, links: tuple[int, int], task: Task) -> tuple[Floats, Floats]:
     """Give times so dense that a guide's frames move evenly between them, all but; and these frames."""
     start, end = ends
-    span, size = end.t - start.t, extent(start.frame)
-    *fewer, most = (max(1, int(np.ceil(span * links))) for links in numbers)
-    for count in fewer:
-        times = np.linspace(start.t, end.t, 2 * count + 1)
-        frames = frames_at(times, guide, len(start.frame), task)
-        if farthest((frames[:-1:2] + frames[2::2]) / 2 - frames[1::2]) < EVEN * size:
-            return times[::2], frames[::2]
-    times = np.linspace(start.t, end.t, most + 1)
-    return times, frames_at(times, guide, len(start.frame), task)
+    span, size, n = end.t - start.t, extent(start.frame), len(start.frame)
+    least, most = (max(1, int(np.ceil(span * number))) for number in links)
+    times = np.linspace(start.t, end.t, least + 1)
+    frames = frames_at(times, guide, n, task)
+    while len(times) <= most:
+        halfway = (times[:-1] + times[1:]) / 2
+        middle = frames_at(halfway, guide, n, task)
+        if farthest((frames[:-1] + frames[1:]) / 2 - middle) < EVEN * size:
+            break
+        places = np.arange(1, len(times))
+        times, frames = np.insert(times, places, halfway), np.insert(frames, places, middle, axis=0)
+    return times, frames
 
 
 def frames_at(times: Floats, guide: Guide, n: int, task: Task) -> Floats:

@@ -26,10 +26,10 @@ from starskel.task import Task
 MARGINS = (1 / 32, 1.0)
 """By how much a gap is widened, in time, before it is bridged; else it is the whole."""
 
-LINKS = (32,)
+LINKS = (32, 32)
 """How many links a morph has at first, over the whole time: it need not be followed evenly."""
 
-WORK = 60_000
+WORK = 330_000
 """What following a morph may cost where it is too narrow for floating point, in vertices of frames."""
 
 

@@ -19,7 +19,7 @@ from starskel.errors import StarskelError, told
 from starskel.polar import as_complex
 from starskel.task import Task
 
-WORK, MORE_WORK = 60_000, 25_000
+WORK, MORE_WORK = 330_000, 140_000
 """What following may cost with room kept, and then without, before morphing; in vertices of frames."""
 
 AMPLE = 5e-3
@@ -75,7 +75,7 @@ def path(decomposition: Decomposition, guide: Guide, task: Task) -> tuple[Chain,
         morphing = Morphing(decomposition, guide, field, roomy)
         chains = narrowed(chains, morphing, MORPHED_MARGINS, task.part(0.55, 0.9))
     keys = chains[0]
-    if field and way is not Way.AS_IT_IS and len(chains) == 1:
+    if field and way is Way.REPAIRED and len(chains) == 1:  # where only a morph leads, nothing widens
         ample = Room.of(ends, AMPLE * size)
         keys = Relaxing(guide, field, ample, ample)(keys, task.part(0.9, 1))
     if len(chains) > 1 or not proven(keys, task.part(1, 1)):

@@ -23,7 +23,7 @@ SWEEPS = 3
 SHARES = (1.0, 0.5, 0.2, 0.1, 0.01, 1e-3)
 """Shares of the room that links may keep."""
 
-WORK = 60_000
+WORK = 330_000
 """What moving keys may cost, as following does; in vertices of frames."""
 
 CAREFUL = 0.5

@@ -50,7 +50,7 @@ class Room:
         first, second = as_complex(before), as_complex(after)
         rounding = _ROUNDING * float(max(np.abs(first).max(), np.abs(second).max()))
         for vertex, edge in near_pairs(first, second, self.kept):
-            near = Swept.of(first, second, vertex, edge).nearer(self.kept)
+            near = Swept.nearer(first, second, vertex, edge, self.kept)
             floors = self.floors(near.vertex, near.edge)
             if not near.keep(floors):
                 return False

@@ -28,7 +28,7 @@ STEPS = 4
 SETTLED = 1e-3
 """A step shorter than this part of the size, at every vertex, ends a moment."""
 
-LAID_OUT = 100
+LAID_OUT = 1000
 """What a step costs besides its vertices, in vertices."""
 
 
