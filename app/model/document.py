@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from app.model import marks as pins
-from app.model.marks import Marks, Place, Side, other
+from app.model.marks import Marks, Renumbering, Side, other
 from app.model.pairing import Links, complete, paired, part_of
 from app.model.point import Point
 from app.model.sequence import Sequence
@@ -179,10 +179,12 @@ class Document:
         InvalidMarks
             If the shape is turned inside out so that marks cross.
         """
-        return self.place(side, self.moved(side, vertices, offset))
+        return self.reform(side, self.moved(side, vertices, offset))
 
-    def place(self, side: Side, ring: Floats) -> "Document":
-        """Move each vertex to the row of its number.
+    def reform(self, side: Side, ring: Floats, renumbered: Renumbering = _unmoved) -> "Document":
+        """Give a part another ring; its vertices keep their numbers, or have others in it.
+
+        A ring that runs clockwise is turned round, and the marks follow.
 
         Raises
         ------
@@ -191,7 +193,13 @@ class Document:
         InvalidMarks
             If the shape is turned inside out so that marks cross.
         """
-        return self._reshape(side, ring)
+        polygon = Polygon(ring)
+
+        def vertex(former: int) -> int | None:
+            given = renumbered(former)
+            return None if given is None else polygon.vertex_of(given)
+
+        return self._with(side, polygon, vertex)
 
     def insert(self, side: Side, edge: int, point: Point) -> "Document":
         """Insert a vertex on the edge that starts at vertex `edge`; its index is `edge` + 1.
@@ -202,7 +210,7 @@ class Document:
             If edges would cross.
         """
         ring = np.insert(self.vertices(side), edge + 1, point, axis=0)
-        return self._reshape(side, ring, pins.after_insertion(edge + 1))
+        return self.reform(side, ring, pins.after_insertion(edge + 1))
 
     def delete(self, side: Side, vertices: Collection[int]) -> "Document":
         """Delete vertices with their marks; deleting all of them removes the shape.
@@ -221,19 +229,7 @@ class Document:
                 told("select all vertices to delete the whole shape"),
                 place=(float(ring[0, 0]), float(ring[0, 1])),
             )
-        return self._reshape(side, ring, pins.after_deletion(vertices))
-
-    def reform(self, side: Side, ring: Floats, place: Place) -> "Document":
-        """Give a shape another ring; `place` tells where each vertex is in it, None where it is gone.
-
-        Raises
-        ------
-        InvalidPolygon
-            If edges would cross or vertices coincide.
-        InvalidMarks
-            If the shape is turned inside out so that marks cross.
-        """
-        return self._reshape(side, ring, place)
+        return self.reform(side, ring, pins.after_deletion(vertices))
 
     def marked(self, side: Side) -> tuple[int, ...]:
         """Give the vertices on this side that are marked, in this step or in the other one of the shape."""
@@ -288,27 +284,14 @@ class Document:
     def _marks_but(self, index: int) -> Marks:
         return self.marks[:index] + self.marks[index + 1 :]
 
-    def _reshape(self, side: Side, ring: Floats, place: Place = _unmoved) -> "Document":
-        """Check the ring and store it; `place` tells which point of it each former vertex is now.
-
-        Where the ring runs clockwise the marks follow its new indices.
-        """
-        polygon = Polygon(ring)
-
-        def vertex(former: int) -> int | None:
-            given = place(former)
-            return None if given is None else polygon.vertex_of(given)
-
-        return self._with(side, polygon, vertex)
-
-    def _with(self, side: Side, polygon: Polygon | None, place: Place) -> "Document":
+    def _with(self, side: Side, polygon: Polygon | None, renumbered: Renumbering) -> "Document":
         """Store a part; it forgets in which order it was given, so that marks mean its own vertices."""
         number, part = self.shape_on(side), self.part(side)
         if polygon is None:
             return self if part is None else self.remove_part(side)
         own = Polygon(polygon.vertices)
         if part is not None:
-            return replace(self, sequence=self.sequence.put_ring(number, part, own, place))
+            return replace(self, sequence=self.sequence.put_ring(number, part, own, renumbered))
         return self._added(side, Part(own))
 
     def _added(self, side: Side, part: Part) -> "Document":

@@ -7,17 +7,17 @@ from app.model.document import Document
 
 
 @dataclass(frozen=True)
-class Step:
+class Snapshot:
     """A document and the edit that led to it.
 
     Attributes
     ----------
     document : Document
-        The snapshot.
+        As it was then.
     name : str
         What was done, as the menu calls it; empty for the first.
     joins : hashable or None
-        Steps in a row with the same value here count as one: a held arrow key is undone at once. What is
+        Snapshots in a row with the same value here count as one: a held arrow key is undone at once. What is
         saved or looked at in between ends such a row.
     """
 
@@ -28,13 +28,13 @@ class Step:
 
 @dataclass(frozen=True)
 class History:
-    """All steps since the document was opened, the one that is shown, and what is in the file.
+    """All snapshots since the document was opened, the one that is shown, and what is in the file.
 
-    Snapshots share their polygons, so a step costs no more than what it changed.
+    They share their polygons, so one costs no more than what it changed.
 
     Attributes
     ----------
-    steps : tuple of Step
+    snapshots : tuple of Snapshot
         All of them, those undone among them.
     position : int
         Which one is shown.
@@ -42,7 +42,7 @@ class History:
         What is in the file, or was there at first.
     """
 
-    steps: tuple[Step, ...]
+    snapshots: tuple[Snapshot, ...]
     position: int = 0
     saved: Document = field(default_factory=Document)
 
@@ -54,31 +54,31 @@ class History:
     @classmethod
     def of(cls, document: Document) -> "History":
         """Start at a document."""
-        return cls((Step(document),), saved=document)
+        return cls((Snapshot(document),), saved=document)
 
     @property
     def document(self) -> Document:
         """The document as it is now."""
-        return self.steps[self.position].document
+        return self.snapshots[self.position].document
 
     @property
     def undoes(self) -> str | None:
         """The name of the edit that undo takes back, None at the start."""
-        return self.steps[self.position].name if self.position else None
+        return self.snapshots[self.position].name if self.position else None
 
     @property
     def redoes(self) -> str | None:
         """The name of the edit that redo brings again, None at the end."""
-        later = self.steps[self.position + 1 :]
+        later = self.snapshots[self.position + 1 :]
         return later[0].name if later else None
 
     def push(self, document: Document, name: str, joins: Hashable = None) -> "History":
         """Go on to a new document; what was undone before is forgotten."""
         position = self.position
-        if joins is not None and self.steps[position].joins == joins:
+        if joins is not None and self.snapshots[position].joins == joins:
             position -= 1
-        steps = (*self.steps[: position + 1], Step(document, name, joins))
-        return replace(self, steps=steps, position=position + 1)
+        snapshots = (*self.snapshots[: position + 1], Snapshot(document, name, joins))
+        return replace(self, snapshots=snapshots, position=position + 1)
 
     def saving(self) -> "History":
         """Note that the document is in its file as it is now."""
@@ -92,18 +92,19 @@ class History:
         return self._at_rest(self.document.showing(step, link))
 
     def at(self, position: int) -> "History":
-        """Go to any step."""
+        """Go to any snapshot."""
         return replace(self, position=position)
 
     def undo(self) -> "History":
-        """Go one step back, where there is one."""
+        """Go one snapshot back, where there is one."""
         return replace(self, position=max(self.position - 1, 0))
 
     def redo(self) -> "History":
-        """Go one step forward, where there is one."""
-        return replace(self, position=min(self.position + 1, len(self.steps) - 1))
+        """Go one snapshot forward, where there is one."""
+        return replace(self, position=min(self.position + 1, len(self.snapshots) - 1))
 
     def _at_rest(self, document: Document) -> "History":
-        """Let the step that is shown be one that no other joins, with this document."""
-        here = replace(self.steps[self.position], document=document, joins=None)
-        return replace(self, steps=(*self.steps[: self.position], here, *self.steps[self.position + 1 :]))
+        """Let the snapshot that is shown be one that no other joins, with this document."""
+        here = replace(self.snapshots[self.position], document=document, joins=None)
+        before, later = self.snapshots[: self.position], self.snapshots[self.position + 1 :]
+        return replace(self, snapshots=(*before, here, *later))

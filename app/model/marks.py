@@ -8,8 +8,8 @@ from starskel.correspondence.marks import Mark
 Side = Literal["source", "target"]
 Marks = tuple[Mark, ...]
 
-Place = Callable[[int], int | None]
-"""Where each vertex of a shape has gone, None where it is no more."""
+Renumbering = Callable[[int], int | None]
+"""Which number each vertex of a shape has now, None where it is no more."""
 
 SIDES: tuple[Side, Side] = ("source", "target")
 
@@ -47,10 +47,10 @@ def _turns(a: Mark, b: Mark, c: Mark, side: int) -> bool:
     return (a[side] < b[side]) + (b[side] < c[side]) + (c[side] < a[side]) == 2
 
 
-def followed(marks: Marks, side: Side, place: Place) -> Marks:
-    """Give the marks after the vertices of one side went to other places; None takes a mark along."""
+def followed(marks: Marks, side: Side, renumbered: Renumbering) -> Marks:
+    """Give the marks after the vertices of one side were renumbered; None takes a mark along."""
     return tuple(
-        with_end(mark, side, vertex) for mark in marks if (vertex := place(end(mark, side))) is not None
+        with_end(mark, side, vertex) for mark in marks if (vertex := renumbered(end(mark, side))) is not None
     )
 
 
@@ -60,11 +60,11 @@ def composed(first: Marks, second: Marks) -> Marks:
     return tuple((source, onward[middle]) for source, middle in first if middle in onward)
 
 
-def after_insertion(vertex: int) -> Callable[[int], int]:
-    """Give where vertices are after a new one took this index."""
+def after_insertion(vertex: int) -> Renumbering:
+    """Renumber vertices after a new one took this index."""
     return lambda v: v + (v >= vertex)
 
 
-def after_deletion(vertices: Collection[int]) -> Place:
-    """Give where vertices are after these are gone."""
+def after_deletion(vertices: Collection[int]) -> Renumbering:
+    """Renumber vertices after these are gone."""
     return lambda v: None if v in vertices else v - sum(gone < v for gone in vertices)

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from app.model import marks as pins
-from app.model.marks import SIDES, Place, Side
+from app.model.marks import SIDES, Renumbering, Side
 from starskel.files.step import Link
 
 Links = tuple[Link, ...]
@@ -112,10 +112,12 @@ def repaired(links: Links, pairing: Iterable[Ends]) -> Links:
     return tuple(sorted(found, key=lambda link: order.get(link.ends, len(order))))
 
 
-def followed(links: Links, side: Side, part: int, place: Place) -> Links:
-    """Give the links after the vertices of a part went to other places."""
+def followed(links: Links, side: Side, part: int, renumbered: Renumbering) -> Links:
+    """Give the links after the vertices of a part were renumbered."""
     return tuple(
-        replace(link, marks=pins.followed(link.marks, side, place)) if part_of(link, side) == part else link
+        replace(link, marks=pins.followed(link.marks, side, renumbered))
+        if part_of(link, side) == part
+        else link
         for link in links
     )
 

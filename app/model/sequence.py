@@ -6,7 +6,7 @@ from itertools import accumulate, pairwise
 from typing import Any
 
 from app.model import pairing
-from app.model.marks import Place, Side
+from app.model.marks import Renumbering, Side
 from app.model.pairing import Ends, Links, complete
 from starskel.errors import StarskelError, told
 from starskel.files.key_shape import KeyShape, Part
@@ -210,8 +210,8 @@ class Sequence:
         }
         return self._with(number, self.shapes[number].without(part), links)
 
-    def put_ring(self, number: int, part: int, ring: Polygon, place: Place) -> "Sequence":
-        """Give a part another ring; `place` tells where each vertex of the former one is in it, if anywhere.
+    def put_ring(self, number: int, part: int, ring: Polygon, renumbered: Renumbering) -> "Sequence":
+        """Give a part another ring; each vertex of the former one has another number in it, if any.
 
         Raises
         ------
@@ -221,7 +221,7 @@ class Sequence:
             If marks of a step to or from it would cross.
         """
         links = {
-            step: pairing.followed(self.steps[step].links, side, part, place)
+            step: pairing.followed(self.steps[step].links, side, part, renumbered)
             for step, side in self._steps_at(number).items()
         }
         shape = self.shapes[number]

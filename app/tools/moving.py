@@ -226,7 +226,7 @@ def placed(scene: Scene, idle: Tool, selection: Selection, ring: Floats, name: s
     """Try to put the selected vertices where they are in a ring; they stay selected."""
     side = selection.side
     try:
-        document = scene.document.place(side, ring)
+        document = scene.document.reform(side, ring)
     except StarskelError as error:
         return Response(idle, refusal=refused_ring(side, ring, error))
     # a shape that is turned inside out numbers its vertices anew

@@ -1,12 +1,13 @@
 """The list of edits: a click goes back to one, or forward."""
 
 from collections.abc import Iterable
+from itertools import takewhile
 
 from PySide6.QtCore import QEvent, QSignalBlocker, Slot
 from PySide6.QtGui import QBrush, QHideEvent, QPalette, QShowEvent
 from PySide6.QtWidgets import QListWidget
 
-from app.model.history import Step
+from app.model.history import Snapshot
 from app.session import Session
 from app.view.wording import words
 
@@ -20,7 +21,7 @@ class HistoryList(QListWidget):
     def __init__(self, session: Session) -> None:
         super().__init__()
         self._session = session
-        self._steps: tuple[Step, ...] = ()
+        self._snapshots: tuple[Snapshot, ...] = ()
         self._position = 0
         self.setObjectName("history-list")
         self.setAccessibleName(self.tr("History"))
@@ -32,9 +33,9 @@ class HistoryList(QListWidget):
         self._follow()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Let go of the steps, which hold documents."""
+        """Let go of the snapshots, which hold documents."""
         super().hideEvent(event)
-        self._steps = ()
+        self._snapshots = ()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -45,18 +46,17 @@ class HistoryList(QListWidget):
     def _follow(self) -> None:
         if not self.isVisible():
             return
-        steps, position = self._session.history.steps, self._session.history.position
-        pairs = enumerate(zip(self._steps, steps, strict=False))
-        kept = next((row for row, (old, new) in pairs if old is not new), min(len(self._steps), len(steps)))
+        snapshots, position = self._session.history.snapshots, self._session.history.position
+        same = takewhile(lambda pair: pair[0] is pair[1], zip(self._snapshots, snapshots, strict=False))
+        kept = sum(1 for _ in same)
         moved = sorted((self._position, position))
         with QSignalBlocker(self):
             while self.count() > kept:
                 self.takeItem(self.count() - 1)
-            self.addItems(
-                [words.step(step.name) if step.name else self.tr("Opened") for step in steps[kept:]]
-            )
-            self._steps, self._position = steps, position
-            self._paint_rows({*range(moved[0], moved[1] + 1), *range(kept, len(steps))})
+            names = [each.name for each in snapshots[kept:]]
+            self.addItems([words.step(name) if name else self.tr("Opened") for name in names])
+            self._snapshots, self._position = snapshots, position
+            self._paint_rows({*range(moved[0], moved[1] + 1), *range(kept, len(snapshots))})
             self.setCurrentRow(position)
 
     def _paint_rows(self, rows: Iterable[int]) -> None:

@@ -24,7 +24,7 @@ def test_undo_and_redo_go_through_all_snapshots() -> None:
 def test_a_new_edit_forgets_what_was_undone() -> None:
     history = History.of(Document()).push(Document(name="a"), "A").undo().push(Document(name="b"), "B")
     assert history.redoes is None
-    assert [step.name for step in history.steps] == ["", "B"]
+    assert [each.name for each in history.snapshots] == ["", "B"]
 
 
 def test_steps_of_one_gesture_are_undone_at_once() -> None:
