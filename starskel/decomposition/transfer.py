@@ -18,6 +18,7 @@ from itertools import chain
 import numpy as np
 
 from starskel.arrays import Flags, Floats, Indices
+from starskel.cells import cells_of
 from starskel.decomposition.board import Board, handfuls
 from starskel.decomposition.convex import Cut, Price, convex_cuts
 from starskel.decomposition.ladder import by_fan, climb
@@ -25,7 +26,7 @@ from starskel.decomposition.paths import MANY, bends_between
 from starskel.decomposition.pieces import Piece
 from starskel.rings import Rings
 from starskel.task import Task
-from starskel.triangulation import Triangulation
+from starskel.triangulation import Grounds, Triangulation
 from starskel.visibility import visibility
 
 
@@ -47,14 +48,23 @@ def _fewer_cuts(board: Board, whole: Piece, task: Task) -> tuple[list[Cut], int]
     """Give the cuts of the polygon that needs fewer, and which one that is."""
     grounds = board.triangulated([whole], task.quiet)
     seen = [visibility(ground, task) for ground in grounds]
-    cuts = [
-        convex_cuts(
-            grounds[i], seen[i], _price(grounds[i], seen[1 - i].diagonal), task.part(i / 2, i / 2 + 0.5)
-        )
-        for i in (0, 1)
-    ]
-    side = int(len(cuts[1]) < len(cuts[0]))
-    return [(whole[a], whole[b]) for a, b in cuts[side]], side
+    likely = _with_fewer_cells(grounds)
+    found = {}
+    for k, side in enumerate(likely):
+        price = _price(grounds[side], seen[1 - side].diagonal)
+        part = task.part(k / len(likely), (k + 1) / len(likely))
+        found[side] = convex_cuts(grounds[side], seen[side], price, part)
+    side = min(found, key=lambda side: len(found[side]))
+    return [(whole[a], whole[b]) for a, b in found[side]], side
+
+
+def _with_fewer_cells(grounds: Grounds) -> list[int]:
+    """Give the sides where triangles are joined to the fewest convex cells, or to one more.
+
+    That tells which polygon needs fewer cuts. Where the numbers of cells differ by more it is seldom wrong.
+    """
+    corners = [len(cells_of(ground).first) for ground in grounds]  # each cut adds two
+    return [side for side in (0, 1) if corners[side] <= min(corners) + 2]
 
 
 def _price(ground: Triangulation, free: Flags) -> Price:
