@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QRectF, QSize, Signal, Slot
+from PySide6.QtCore import QCoreApplication, QEvent, QRectF, QSize, Signal, Slot
 from PySide6.QtGui import QAction, QColor, QIcon, QPalette
 from PySide6.QtWidgets import QMenu, QProxyStyle, QStyle, QStyleOption, QWidget
 
@@ -21,6 +21,9 @@ translate = QCoreApplication.translate
 
 PICTURE = QSize(40, 40)
 """Size of a project's picture, in pixels."""
+
+LARGE = 200_000
+"""Bytes of a file that takes too long to be read for its picture: ten of them are read at once."""
 
 
 class _LargeIcons(QProxyStyle):
@@ -50,6 +53,18 @@ class ProjectMenu(QMenu):
         self.setStyle(style)
         self.setToolTipsVisible(True)
         self.triggered.connect(self._choose)
+        self.aboutToShow.connect(self.fill)
+
+    @Slot()
+    def fill(self) -> None:
+        """Show the projects that there are now."""
+        raise NotImplementedError
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Make pictures anew in other colours, when they are seen again."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self.clear()
 
     def add(self, text: str, project: Project | None, tip: str, data: object) -> None:
         """Add an entry."""
@@ -71,7 +86,10 @@ class ExamplesMenu(ProjectMenu):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(translate("Menus", "E&xamples"), parent)
-        for name in example_names():
+
+    @Slot()
+    def fill(self) -> None:
+        for name in () if self.actions() else example_names():
             if figure_number(name) == 1:
                 self.addSection(translate("Menus", "Figures of the paper"))
             project = example(name)
@@ -83,12 +101,9 @@ class RecentMenu(ProjectMenu):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(translate("Menus", "Open &Recent"), parent)
-        self.aboutToShow.connect(self.fill)
-        self.fill()
 
     @Slot()
     def fill(self) -> None:
-        """Show the files that are remembered now."""
         self.clear()
         paths = recent_files()
         for path in paths:
@@ -119,8 +134,13 @@ def project_icon(project: Project, palette: QPalette, size: QSize = PICTURE) -> 
 
 
 def _project(path: Path) -> Project | None:
-    """Give what is in a file, for its picture; a damaged one has none, and complains when it is opened."""
+    """Give what is in a file, for its picture.
+
+    A large one has none, for the menu must not wait; nor a damaged one, which complains when it is opened.
+    """
     try:
-        return read_project(path) if format_of(path) == FORMAT else None
-    except StarskelError:
+        if path.stat().st_size > LARGE or format_of(path) != FORMAT:
+            return None
+        return read_project(path)
+    except (OSError, StarskelError):
         return None

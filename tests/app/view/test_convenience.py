@@ -16,6 +16,7 @@ from app.view.about import AboutDialog, versions
 from app.view.commands.finder import Finder, matches
 from app.view.commands.shortcuts import ShortcutsDialog, apply_shortcuts, changed_shortcuts
 from app.view.files import remembered
+from app.view.files.project_menus import LARGE
 from app.view.main_window import FRAME, MainWindow
 from app.view.start import begin
 from starskel.files.key_shape import KeyShape
@@ -95,9 +96,23 @@ def test_no_more_files_are_remembered_than_a_menu_should_hold(tmp_path: Path) ->
 
 def test_every_example_has_a_picture(window: MainWindow) -> None:
     menu = window._examples
+    menu.aboutToShow.emit()
     entries = [action for action in menu.actions() if action.data() is not None]
     assert entries
     assert not any(action.icon().isNull() for action in entries)
+    menu.aboutToShow.emit()
+    assert [action for action in menu.actions() if action.data() is not None] == entries
+
+
+def test_a_large_file_is_offered_without_being_read(driver: Driver, tmp_path: Path) -> None:
+    path = project(tmp_path / "large.json")
+    driver.window.files.open(path)
+    path.write_text(path.read_text() + " " * LARGE)
+    driver.window.recent.aboutToShow.emit()
+    entry = driver.window.recent.actions()[0]
+    assert (entry.text(), entry.icon().isNull()) == ("large", True)
+    entry.trigger()
+    assert driver.session.path == path
 
 
 # dropped files
