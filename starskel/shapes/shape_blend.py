@@ -33,13 +33,8 @@ class ShapeBlend:
         each ring.
     meta_skeleton : MetaSkeleton or None
         What joins them; None where each part is interpolated separately.
-    key_times : (k,) array or None
-        The times between which every vertex moves evenly on a straight line, 0 and 1 included; None where
-        vertices move otherwise.
-    how : str or None
-        How the frames came about, where the method has several ways; None elsewhere.
-    settled : bool
-        Whether `improvements` has no better blend to come.
+    key_times, how, settled
+        As for `starskel.Blend`.
 
     Examples
     --------
@@ -79,16 +74,12 @@ class ShapeBlend:
     def improvements(
         self, *, progress: Progress | None = None, should_stop: ShouldStop | None = None
     ) -> Iterator["ShapeBlend"]:
-        """Go on improving the parts that are not settled, and give ever better blends.
-
-        The last is settled; a blend that is settled gives none.
+        """Give ever better blends, as `starskel.Blend.improvements` does, improving one part after another.
 
         Parameters
         ----------
-        progress : callable, optional
-            Called with the fraction done.
-        should_stop : callable, optional
-            Asked often whether to stop.
+        progress, should_stop : callable, optional
+            As there.
 
         Raises
         ------
