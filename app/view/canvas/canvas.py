@@ -141,10 +141,10 @@ class Canvas(QWidget):
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if event.mimeData().hasImage() or event.mimeData().hasUrls():
-            event.acceptProposedAction()
+            _accept_copy(event)
 
     def dropEvent(self, event: QDropEvent) -> None:
-        event.acceptProposedAction()
+        _accept_copy(event)
         self.dropped.emit(self.side, event.mimeData())
 
     # pointer and keys
@@ -242,3 +242,9 @@ class Canvas(QWidget):
             self.setCursor(Qt.CursorShape.CrossCursor)
         else:
             self.setCursor(Qt.CursorShape.ArrowCursor)
+
+
+def _accept_copy(event: QDropEvent) -> None:
+    """Take what is dragged; after a move its original would be taken away."""
+    event.setDropAction(Qt.DropAction.CopyAction)
+    event.accept()

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMimeData, QPointF, Qt, QUrl
+from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDoubleSpinBox, QSlider
@@ -39,6 +39,21 @@ def drop(driver: Driver, data: QMimeData, side: Side = "source") -> None:
     QApplication.sendEvent(canvas, entered)
     if entered.isAccepted():
         QApplication.sendEvent(canvas, QDropEvent(place, action, data, LEFT, PLAIN))
+
+
+def test_a_picture_that_is_dropped_stays_where_it_was(driver: Driver, tmp_path: Path) -> None:
+    file = tmp_path / "photo.png"
+    file.write_bytes(image_file(40, 20))
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(file))])
+    offered = Qt.DropAction.CopyAction | Qt.DropAction.MoveAction
+    for kind, place in ((QDragEnterEvent, QPoint(50, 50)), (QDropEvent, QPointF(50, 50))):
+        event = kind(place, offered, data, LEFT, PLAIN)
+        event.setDropAction(Qt.DropAction.MoveAction)
+        QApplication.sendEvent(driver.window.canvases["source"], event)
+        assert event.isAccepted()
+        assert event.dropAction() == Qt.DropAction.CopyAction
+    assert driver.document.picture("source") is not None
 
 
 @pytest.fixture
