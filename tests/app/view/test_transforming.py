@@ -165,6 +165,20 @@ def test_what_is_being_typed_stays_while_the_pointer_moves_over_the_canvas(squar
     assert field.text() == "70.00"
 
 
+def test_escape_gives_up_what_is_typed_and_then_the_selection(square: Driver) -> None:
+    field = square.window.options.pages["select"].findChild(QDoubleSpinBox, "x")
+    assert field is not None
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "70")
+    square.key(Qt.Key.Key_Escape)
+    assert field.text() == "50.00"
+    assert len(square.session.selection.vertices) == 4
+    square.key(Qt.Key.Key_Escape)
+    assert not square.session.selection
+    is_at(square, *SQUARE)
+
+
 def test_one_vertex_has_a_place_but_no_size(square: Driver) -> None:
     square.click("source", (140, 140))
     square.click("source", (90, 90))
