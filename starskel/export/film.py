@@ -6,8 +6,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from itertools import accumulate
 
-import numpy as np
-
 from starskel.arrays import Floats
 from starskel.blending.frames import Blend
 from starskel.easing import EVEN, Easing
@@ -20,14 +18,10 @@ from starskel.shapes.shape_blend import ShapeBlend
 from starskel.sheet import style
 from starskel.sheet.comparison import Row, comparison_sheet
 from starskel.sheet.drawing import Drawing
-from starskel.sheet.keyframe import ALONE, Keyframe, Shown
+from starskel.sheet.keyframe import Keyframe, Shown
 from starskel.sheet.keyframes import keyframes
 from starskel.sheet.rows import Stage, box_of, row_sheet
 from starskel.sheet.style import Look, PartLook
-
-_LOOKS = 101
-"""So many frames of each scene are looked at to see how much room a film needs."""
-
 
 Pictures = Callable[[], tuple[PlacedImage | None, PlacedImage | None]]
 
@@ -104,13 +98,12 @@ class Scene:
             If nothing was measured.
         """
         name = ", ".join(filter(None, (method, self.name)))
-        frames = self.frames(ts, shown)
         if self.report is None:
             raise StarskelError(
                 f'a sheet tells how good a blend is, but "{name}" was not measured',
                 "give its scene the report of `measure`",
             )
-        return Row.of(name, self.report, frames)
+        return Row.of(name, self.report, self.frames(ts, shown))
 
 
 @dataclass(frozen=True, eq=False)
@@ -218,32 +211,13 @@ class Film:
             yield comparison_sheet(self.title, self._rows(), look=replace(look, paper=paper))
         else:
             tracks = [self._frames(track) for track in self.tracks]
-            stage = self._stage(box_of([frame for frames in tracks for frame in frames]), look)
+            stage = self.stage(box_of([frame for frames in tracks for frame in frames]), look)
             for number, together in enumerate(zip(*tracks, strict=True)):
                 yield stage.picture(self.title, f"frame-{number}", together)
 
-    @cached_property
-    def shots(self) -> "tuple[Shot, ...]":
-        """The parts of an animation, one after another: in each of them all that is drawn only moves."""
-        bounds = self.tracks[0].bounds
-        return tuple(
-            Shot(self, number, bounds[number], bounds[number + 1])
-            for number in range(len(self.tracks[0].scenes))
-        )
-
-    def pictures(self) -> Iterator[Drawing]:
-        """Give a drawing for each picture of an animation that is made of pictures."""
-        for time in self.settings.moments:
-            frames = [track.frames([time], self.settings.eased, self.settings.shown) for track in self.tracks]
-            yield self.stage.picture(self.title, "frame", [own for (own,) in frames])
-
-    @cached_property
-    def stage(self) -> Stage:
-        """The view that all pictures of an animation have; what is drawn in it only moves."""
-        ts = np.linspace(0, 1, _LOOKS).tolist()
-        scenes = [scene for track in self.tracks for scene in track.scenes]
-        box = box_of([frame for scene in scenes for frame in scene.frames(ts, ALONE, moving=True)])
-        return self._stage(box, replace(self.settings.look, signs=False, captions=False))
+    def stage(self, box: Floats, look: Look) -> Stage:
+        """Give the view of a box in which the methods stand side by side."""
+        return Stage(box, tuple(track.name for track in self.tracks), look)
 
     @property
     def only(self) -> Track:
@@ -277,39 +251,6 @@ class Film:
                 ts = [scene.easing.t(time) if wanted.eased else time for time in wanted.times]
                 rows.append(scene.row(track.name, ts, wanted.shown))
         return rows
-
-    def _stage(self, box: Floats, look: Look) -> Stage:
-        return Stage(box, tuple(track.name for track in self.tracks), look)
-
-
-@dataclass(frozen=True, eq=False)
-class Shot:
-    """A part of an animation in which the same items are drawn at all times, only elsewhere.
-
-    Attributes
-    ----------
-    film : Film
-    number : int
-        Which of the scenes it shows.
-    start, end : float
-        When it begins and ends, as shares of the whole way.
-    """
-
-    film: Film
-    number: int
-    start: float
-    end: float
-
-    def drawings(self, shares: Sequence[float]) -> tuple[Drawing, ...]:
-        """Give the pictures at shares of this part's time, all of the same items."""
-        frames = [self._frames(track, shares) for track in self.film.tracks]
-        stage = self.film.stage
-        return tuple(stage.picture(self.film.title, "frame", own) for own in zip(*frames, strict=True))
-
-    def _frames(self, track: Track, shares: Sequence[float]) -> tuple[Keyframe, ...]:
-        scene, wanted = track.scenes[self.number], self.film.settings
-        ts = [scene.easing.t(share) if wanted.eased else share for share in shares]
-        return scene.frames(ts, replace(wanted.shown, pictures=False), moving=True)
 
 
 def _painted(

@@ -11,7 +11,8 @@ import numpy as np
 
 from starskel.arrays import Floats
 from starskel.errors import StarskelError, told
-from starskel.export.film import Film, Shot
+from starskel.export.animation import Animation, Shot
+from starskel.export.film import Film
 from starskel.sheet.drawing import Area, Disc, Drawing, Group, Item, Label, Line, channels
 from starskel.task import Task
 
@@ -52,9 +53,9 @@ class Stretch:
 
 def stretches(film: Film, task: Task) -> tuple[Stretch, ...]:
     """Give the parts of an animation one after another; one that returns comes back through all."""
-    there = []
-    for number, shot in enumerate(film.shots):
-        shares, drawings = keys(shot, task.part(number / len(film.shots), (number + 1) / len(film.shots)))
+    there, shots = [], Animation(film).shots
+    for number, shot in enumerate(shots):
+        shares, drawings = keys(shot, task.part(number / len(shots), (number + 1) / len(shots)))
         times = [shot.start + share * (shot.end - shot.start) for share in shares]
         there.append(Stretch(tuple(times), drawings))
     if not film.settings.returning:
@@ -77,7 +78,7 @@ def keys(shot: Shot, task: Task) -> tuple[list[float], tuple[Drawing, ...]]:
     Cancelled
         If the task is to stop.
     """
-    tolerance = shot.film.settings.tolerance * shot.film.stage.longer_side
+    tolerance = shot.animation.film.settings.tolerance * shot.animation.stage.longer_side
     looks = _LOOKS
     times, drawings, paths = _looked_at(shot, looks, tolerance)
     while True:

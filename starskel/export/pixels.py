@@ -15,6 +15,7 @@ from PIL import Image
 from pypdfium2 import raw
 
 from starskel.errors import StarskelError, told
+from starskel.export.animation import Animation
 from starskel.export.film import Film
 from starskel.export.pdf import pdf_document
 from starskel.images.placed import Pixels
@@ -134,7 +135,7 @@ def check_size(width: int, height: int) -> None:
 def moving(film: Film, task: Task) -> Iterator[Pixels]:
     """Give the pictures of an animation one after another, drawn as they are taken."""
     count = len(film.settings.moments)
-    for number, drawing in enumerate(film.pictures()):
+    for number, drawing in enumerate(Animation(film).pictures()):
         task.reach(number / count)
         yield pixels_of(drawing, film.settings.pixels)
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from starskel.errors import Cancelled
+from starskel.export.animation import Animation
 from starskel.export.keys import keys, stretches
 from starskel.sheet.drawing import Area, Group
 from starskel.sheet.style import Look
@@ -19,7 +20,7 @@ def outline(drawing):
 @pytest.mark.parametrize("make", [arm, ring, steps])
 @pytest.mark.parametrize("tolerance", [0.01, 0.001])
 def test_no_vertex_strays_farther_than_the_tolerance(make, tolerance):
-    for shot in make(tolerance=tolerance, eased=True).shots:
+    for shot in Animation(make(tolerance=tolerance, eased=True)).shots:
         times, drawings = keys(shot, UNWATCHED)
         own = np.array([outline(drawing) for drawing in drawings])
         looks = np.random.default_rng(1).random(500)
@@ -30,9 +31,9 @@ def test_no_vertex_strays_farther_than_the_tolerance(make, tolerance):
 
 
 def test_what_moves_evenly_needs_two_keys_and_a_finer_tolerance_more_keys():
-    (shot,) = arm("vertex", look=Look(colours=("#aa0000",))).shots
+    (shot,) = Animation(arm("vertex", look=Look(colours=("#aa0000",)))).shots
     assert keys(shot, UNWATCHED)[0] == [0, 1]
-    counts = [len(keys(arm(tolerance=t).shots[0], UNWATCHED)[0]) for t in (0.05, 0.005, 0.0005)]
+    counts = [len(keys(Animation(arm(tolerance=t)).shots[0], UNWATCHED)[0]) for t in (0.05, 0.005, 0.0005)]
     assert counts == sorted(set(counts))
 
 

@@ -9,6 +9,7 @@ import shapely
 from PIL import Image, ImageSequence
 
 from starskel.errors import InvalidFile, StarskelError
+from starskel.export.animation import Animation
 from starskel.export.formats import FORMATS
 from starskel.export.pixels import pixels_of
 from starskel.export.write import write
@@ -46,7 +47,7 @@ def own_frame(film, time):
     """What the blend has at a share of the way, in the picture of the film: rings in pixels, y down."""
     scene, t = film.tracks[0].at(time, film.settings.eased)
     frame = film.tracks[0].scenes[scene].blend.at(t)
-    stage, look = film.stage, film.settings.look
+    stage, look = Animation(film).stage, film.settings.look
     scale = stage.longer_side / np.ptp(stage.box, axis=0).max()
     width, height = np.ptp(stage.box, axis=0) * scale + 2 * look.margin
     dots = film.settings.pixels / max(width, height)
