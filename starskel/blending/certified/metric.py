@@ -60,6 +60,22 @@ class Metric:
         forms = np.einsum("nic,njc->ij", parts, pulls)
         return float(forms[0, 0]) / 2, float(forms[0, 1]), float(forms[1, 1]) / 2
 
+    def turned(self, goal: Complex, frame: Complex) -> Complex:
+        """Give a goal whose parts are turned as they are in a frame, and that lies where the frame does.
+
+        One round of local rotations and global solving (Sorkine and Alexa 2007), over all pairs of vertices:
+        off its diagonal the stiffness is minus what each of them weighs.
+        """
+        one = np.ones(len(frame))
+        back = goal.conj()
+        sums, goals, frames, products = (self.stiffness @ z for z in (one, back, frame, back * frame))
+        turns = frame * goals + back * frames - products - sums * back * frame
+        sizes = np.abs(turns)
+        turns = np.where(sizes > 0, turns / np.where(sizes > 0, sizes, 1.0), 1.0)
+        goals, turned, products = (self.stiffness @ z for z in (goal, turns, turns * goal))
+        pulls = (turns * goals + products - goal * turned - sums * turns * goal) / 2
+        return np.asarray(self.compliance @ (pulls + sums * frame))
+
     @cached_property
     def both(self) -> Form:
         """The form of the x of all points, and behind them the y; inner points only where it is sparse."""

@@ -1,4 +1,7 @@
-"""Bridging a gap that resists: by a convex combination morph, pulled towards the wanted frames."""
+"""Bridging a gap that resists: by a convex combination morph, pulled towards the wanted frames.
+
+First towards their places, then towards their shapes: parts that have to go another way keep their form.
+"""
 
 from dataclasses import dataclass
 
@@ -71,7 +74,8 @@ class Morphing:
             chains = narrowed(chains, Following(guide, pull), FOLLOWING_MARGINS, task.part(0.7, 0.8))
         if len(chains) > 1:
             return None
-        keys = Relaxing(self.guide, field, self.room)(chains[0], task.part(0.8, 1))
+        keys = Relaxing(self.guide, field, self.room)(chains[0], task.part(0.8, 0.9))
+        keys = Relaxing(self.guide, field, self.room, turning=True)(keys, task.part(0.9, 1))
         return retimed([key.frame for key in keys], np.array([key.t for key in keys]))
 
     def _inside(self, before: Key, after: Key, task: Task) -> Decomposition:

@@ -12,6 +12,7 @@ from starskel.blending.certified.keys import Chain, Guide, Key, Linked, frames_a
 from starskel.blending.certified.room import Room
 from starskel.blending.certified.tracking import Allowance
 from starskel.certificate import safe
+from starskel.polar import as_complex, as_points
 from starskel.task import Task
 
 PUSH = 0.3
@@ -43,12 +44,15 @@ class Relaxing:
         What links are to keep that do so already; others keep a smaller share of it, if they do.
     ample : Room, optional
         Keys between two links that keep so much stay where they are.
+    turning : bool
+        Whether only the shape of the guide's frames counts: parts may be turned as they are in the keys.
     """
 
     guide: Guide
     field: Field
     room: Room
     ample: Room | None = None
+    turning: bool = False
 
     def __call__(self, keys: Chain, task: Task) -> Chain:
         """Give better keys, at the same times; those given have safe links."""
@@ -85,6 +89,8 @@ class Relaxing:
         def accepted(there: Floats) -> bool:
             return asked[0](before, there) and asked[1](there, after)
 
+        if self.turning:
+            goal = as_points(self.field.metric.turned(as_complex(goal), as_complex(now)))
         there = self.field.energy(now, goal, PUSH, None).lessened(now, CAREFUL, accepted, task)
         return now if there is None else there
 

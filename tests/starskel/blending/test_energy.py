@@ -65,3 +65,26 @@ def test_a_form_with_inner_points_and_one_without_give_the_same_step(name, monke
         energy = energy_of(pair, pair.source, pair.target)
         steps.append(energy._step_by_coordinates(energy.barrier.linear(frame), frame - energy.goal))
     np.testing.assert_allclose(*steps, atol=1e-9 * size_of(pair))
+
+
+def test_a_goal_turned_as_a_frame_that_is_a_moved_copy_is_that_frame():
+    pair = pair_of("run-walk")
+    metric = metric_of(decompose(pair), size_of(pair), UNWATCHED)
+    goal = as_complex(pair.source)
+    moved = goal * np.exp(2j) + 3 * size_of(pair)
+    np.testing.assert_allclose(metric.turned(goal, moved), moved, atol=1e-7 * size_of(pair))
+
+
+def test_a_goal_with_its_parts_turned_is_what_its_pairs_wish():
+    pair = pair_of("random-16-7")
+    metric = metric_of(decompose(pair), size_of(pair), UNWATCHED)
+    goal, frame = as_complex(pair.source), as_complex(pair.target)
+    weights = np.diag(np.diag(metric.stiffness)) - metric.stiffness
+    wishes = goal[:, None] - goal
+    turns = (weights * (frame[:, None] - frame) * wishes.conj()).sum(axis=1)
+    turns /= np.abs(turns)
+    pulls = (weights * (turns[:, None] + turns) / 2 * wishes).sum(axis=1)
+    held = metric.stiffness.sum(axis=1) * frame
+    np.testing.assert_allclose(
+        metric.stiffness @ metric.turned(goal, frame), pulls + held, atol=1e-9 * np.abs(pulls).max()
+    )
