@@ -16,10 +16,9 @@ from starskel.files.documents import check_format, read_document, write_document
 from starskel.files.key_shape import Colour, KeyShape, Part
 from starskel.files.picture import Picture, Share
 from starskel.files.project import Project, letter
-from starskel.files.shapes import Row, polygon_of, rows_of
+from starskel.files.shapes import Row, as_given, polygon_of, rows_of
 from starskel.files.step import Link, Step
 from starskel.limits import DOCUMENT_RINGS, Tally
-from starskel.polygon import Polygon
 
 FORMAT = "starskel-project"
 VERSION = 4
@@ -194,7 +193,7 @@ def read_project(path: Path) -> Project:
     )
     # the polygons as if they had been given counter-clockwise, as their marks are
     own = tuple(
-        replace(shape, parts=tuple(replace(part, ring=Polygon(part.ring.vertices)) for part in shape.parts))
+        replace(shape, parts=tuple(replace(part, ring=as_given(part.ring)) for part in shape.parts))
         for shape in shapes
     )
     return Project(document.name, own, steps, _methods(path, document.methods), document.description)

@@ -74,4 +74,9 @@ def marked_shapes(
     except InvalidMarks as error:
         raise InvalidFile.holding(error, where) from error
     own = tuple((source.vertex_of(i), target.vertex_of(j)) for i, j in marks)
-    return Polygon(source.vertices), Polygon(target.vertices), own
+    return as_given(source), as_given(target), own
+
+
+def as_given(polygon: Polygon) -> Polygon:
+    """Give the polygon as if its vertices had been given as they are, counter-clockwise."""
+    return polygon if polygon.vertex_of(1) == 1 else Polygon(polygon.vertices)
