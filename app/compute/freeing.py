@@ -14,6 +14,7 @@ def freeing_factors() -> Iterator[None]:
     try:
         yield
     finally:
-        # not imported here: the window opens without it, and so far nothing was factored then
-        if (module := sys.modules.get("starskel.blending.laplacian")) is not None:
-            module.forget_factors()
+        # not imported here: the window opens without it; while it is still loaded nothing was factored
+        module = sys.modules.get("starskel.blending.laplacian")
+        if (forget := getattr(module, "forget_factors", None)) is not None:
+            forget()
