@@ -44,7 +44,11 @@ class Limited:
 def _hold(most: int) -> None:
     for name in _LOADED:
         import_module(name)
-    held = re.search(r"VmData:\s+(\d+) kB", Path("/proc/self/status").read_text())
-    assert held
-    limit = 1024 * int(held[1]) + most
-    resource.setrlimit(resource.RLIMIT_DATA, (limit, limit))
+    resource.setrlimit(resource.RLIMIT_DATA, (held() + most, held() + most))
+
+
+def held() -> int:
+    """Give how many bytes this process may write to."""
+    found = re.search(r"VmData:\s+(\d+) kB", Path("/proc/self/status").read_text())
+    assert found
+    return 1024 * int(found[1])

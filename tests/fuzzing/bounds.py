@@ -10,6 +10,7 @@ from pathlib import Path
 
 from starskel import StarskelError
 from tests.fuzzing.readers import ROOT, Reader
+from tests.limited import held
 
 SECONDS = 2.0
 """Of processor time, for one input."""
@@ -36,7 +37,7 @@ class Bounded:
         warnings.simplefilter("error")
         faulthandler.enable()
         LAST.mkdir(parents=True, exist_ok=True)
-        resource.setrlimit(resource.RLIMIT_DATA, (BYTES, BYTES))
+        self._least = held()
         self._reader = reader
         self._outcomes: Counter[str] = Counter()
         self._longest = 0.0
@@ -50,6 +51,8 @@ class Bounded:
             Whatever it raises but errors of the library's own; MemoryError and Bound where it takes too much.
         """
         self.last.write_bytes(content)
+        grown = held() - self._least  # by what is kept of the inputs before, and by the fuzzer itself
+        resource.setrlimit(resource.RLIMIT_DATA, (BYTES + grown, resource.RLIM_INFINITY))
         start = time.process_time()
         try:
             self._reader.read(content)
