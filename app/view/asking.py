@@ -1,14 +1,18 @@
 """Asking by a dialog that is gone afterwards."""
 
-from PySide6.QtWidgets import QDialog
+from PySide6.QtGui import QIcon
+from PySide6.QtWidgets import QDialog, QDialogButtonBox
 
 
 def asked(dialog: QDialog) -> int:
     """Show a dialog until it is answered, and give its answer.
 
     Its parent would keep a dialog that was answered as long as the window is open. What was chosen in it can
-    be read until the event loop goes on.
+    be read until the event loop goes on. Its buttons have no icons: Qt has some, but for a few of them only.
     """
+    for box in dialog.findChildren(QDialogButtonBox):
+        for button in box.buttons():
+            button.setIcon(QIcon())
     try:
         return dialog.exec()
     finally:

@@ -152,6 +152,10 @@
         <translation>{path} ist kein Pfad</translation>
     </message>
     <message>
+        <source>free some space there, or choose another disk</source>
+        <translation>schaffen Sie dort Platz oder wählen Sie einen anderen Datenträger</translation>
+    </message>
+    <message>
         <source>choose a folder that exists and may be written to</source>
         <translation>wählen Sie einen vorhandenen Ordner, in den geschrieben werden darf</translation>
     </message>

@@ -87,7 +87,10 @@ def write_bytes(path: Path, content: bytes) -> None:
     except BrokenPipeError:
         raise
     except OSError as error:
-        mend = told("choose a folder that exists and may be written to")
+        if error.errno in (errno.ENOSPC, errno.EDQUOT):
+            mend = told("free some space there, or choose another disk")
+        else:
+            mend = told("choose a folder that exists and may be written to")
         raise InvalidFile(
             told("{path} cannot be written: {reason}", path=path, reason=_reason(error)), mend
         ) from error

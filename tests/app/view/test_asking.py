@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtWidgets import QDialog, QPushButton, QWidget
 
 from app.view.files import dialogs
 from starskel.errors import InvalidFile, told
@@ -37,6 +37,18 @@ def test_a_question_that_was_answered_is_gone(driver: Driver, question: str) -> 
     driver.in_dialog(lambda dialog: dialog.close())
     QUESTIONS[question](driver.window)
     assert gone(driver)
+
+
+def test_buttons_of_questions_are_words_alone(driver: Driver) -> None:
+    shown: list[bool] = []
+
+    def look(dialog: QWidget) -> None:
+        shown.extend(button.icon().isNull() for button in dialog.findChildren(QPushButton))
+        dialog.close()
+
+    driver.in_dialog(look)
+    dialogs.ask_about_changes(driver.window, "a")
+    assert shown == [True, True, True]
 
 
 @pytest.mark.parametrize("command", COMMANDS)
