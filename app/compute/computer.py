@@ -13,11 +13,12 @@ from importlib import import_module
 from time import monotonic
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QThread, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 import starskel
 from app.compute.freeing import freeing_factors
 from app.compute.request import Failure, Proposal, Request, Result
+from app.compute.threads import thread_named
 from app.model.marks import Marks
 from starskel.errors import Cancelled, StarskelError, told
 
@@ -160,7 +161,7 @@ class Computer(QObject):
 
     def _begin(self, worker: Worker) -> None:
         self._worker = worker
-        self._thread = QThread(self)
+        self._thread = thread_named("blends", self)
         self._worker.moveToThread(self._thread)
         self._requested.connect(self._worker.work)
         self._proposed.connect(self._worker.suggest)

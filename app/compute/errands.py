@@ -9,9 +9,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from PySide6.QtCore import QObject, QThread, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from app.compute.freeing import freeing_factors
+from app.compute.threads import thread_named
 from starskel.errors import Cancelled, StarskelError
 from starskel.task import Task
 
@@ -76,7 +77,7 @@ class Errands(QObject):
         super().__init__(parent)
         self.busy = False
         self._runner = _Runner()
-        self._thread = QThread(self)
+        self._thread = thread_named("errands", self)
         self._runner.moveToThread(self._thread)
         self._asked.connect(self._runner.run)
         self._runner.done.connect(self._take)

@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QObject, QThread, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from app.compute.freeing import freeing_factors
+from app.compute.threads import thread_named
 from starskel.errors import Cancelled, StarskelError
 from starskel.files.picture import Picture
 from starskel.images.placed import SOLID
@@ -166,7 +167,7 @@ class Morphs(QObject):
         self._waiting: dict[str, Wish] = {}
         self.busy = False
         self._painter = _Painter()
-        self._thread = QThread(self)
+        self._thread = thread_named("pictures", self)
         self._painter.moveToThread(self._thread)
         self._asked.connect(self._painter.fulfil)
         self._painter.done.connect(self._take)
