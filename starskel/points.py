@@ -82,6 +82,11 @@ class Points:
         """All points, and up to which doubled area of a triangle rounding might turn its sign."""
         return self.coordinates.view(np.complex128)[:, 0], doubtful_area(self.coordinates)
 
+    @cached_property
+    def _box(self) -> tuple[Floats, Floats]:
+        """The corners of the box round all points."""
+        return self.coordinates.min(axis=0), self.coordinates.max(axis=0)
+
     def orientation(self, i: Indices, j: Indices, k: Indices) -> Signs:
         """Tell whether the turn from point i over j to k is left (1), right (-1) or none (0), exactly."""
         at, doubtful = self._at
@@ -91,6 +96,20 @@ class Points:
         close = np.abs(doubled) <= doubtful
         if close.any():
             signs[close] = self._decided(*(p[close] for p in np.broadcast_arrays(i, j, k)))
+        return signs
+
+    def orientation_to(self, i: Indices, j: Indices, k: Indices, places: Floats) -> Signs:
+        """Tell the same of turns to free places, (h, 2) of which the k-th is meant, without adding them."""
+        at, doubtful = self._at
+        low, high = self._box
+        if (places < low).any() or (places > high).any():  # rounding may matter more there
+            return self.with_free(places).orientation(i, j, len(at) + k)
+        base: Complex = places.view(np.complex128)[k, 0]
+        doubled = ((at[i] - base).conj() * (at[j] - base)).imag
+        signs: Signs = np.sign(doubled).astype(np.int8)
+        close = np.flatnonzero(np.abs(doubled) <= doubtful)
+        if len(close):
+            signs[close] = self.with_free(places).orientation(i[close], j[close], len(at) + k[close])
         return signs
 
     def _decided(self, i: Indices, j: Indices, k: Indices) -> Signs:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 import numpy as np
 
 from starskel.arrays import Complex, Flags, Floats
-from starskel.decomposition.kernel import are_seen_from, star_points, star_vertices
+from starskel.decomposition.kernel import are_seen_well_from, star_points, star_vertices
 from starskel.decomposition.links import Links, links_of
 from starskel.decomposition.pieces import Around, Piece
 from starskel.points import Points
@@ -112,7 +112,7 @@ class Board:
     def note_kernels(self, pieces: Sequence[Piece], places: Sequence[Floats]) -> None:
         """Remember that rings have kernels where (k, 2) places in each polygon prove that, exactly."""
         if len(pieces):
-            seen = are_seen_from(self.sides, Rings.of(pieces), places)
+            seen = are_seen_well_from(self.sides, Rings.of(pieces), places)
             self._kernels.update((piece, True) for piece, proven in zip(pieces, seen, strict=True) if proven)
 
     def triangulated(self, cells: Sequence[Piece], task: Task) -> Grounds:
@@ -135,10 +135,14 @@ class Board:
 
 
 def handfuls(rings: Iterable[Piece], most: int, work: Callable[[Piece], int]) -> Iterator[list[Piece]]:
-    """Cut rings, the short ones first, into handfuls of so much work or of one ring."""
-    waiting = sorted(rings, key=lambda ring: (len(ring), ring))
-    while waiting:
-        ends = np.cumsum([work(ring) for ring in waiting])
-        count = 1 + int(np.searchsorted(ends[1:], most))
-        yield waiting[:count]
-        waiting = waiting[count:]
+    """Cut rings, the short ones first, into handfuls of less than so much work or of one ring."""
+    handful: list[Piece] = []
+    done = 0
+    for ring in sorted(rings, key=lambda ring: (len(ring), ring)):
+        if handful and done + work(ring) >= most:
+            yield handful
+            handful, done = [], 0
+        handful.append(ring)
+        done += work(ring)
+    if handful:
+        yield handful

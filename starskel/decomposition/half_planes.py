@@ -86,7 +86,8 @@ def _hulls(corners: Complex, owner: Indices, count: int) -> Convex:
     size = np.bincount(owner, minlength=count)
     middle = np.bincount(owner, corners.real, count) + 1j * np.bincount(owner, corners.imag, count)
     off = corners - (middle / np.maximum(size, 1))[owner]
-    order = np.argsort(2 * owner + np.angle(off) / np.pi, kind="stable")  # quicker than by two keys
+    turn = np.rint(np.angle(off) * (2.0**30 / np.pi)).astype(np.int64)
+    order = np.argsort((owner << 32) + turn, kind="stable")  # by one key, exact whatever cells there are
     corners, owner = corners[order], owner[order]
     following = corners[Rings(order, size[size > 0]).following]
     apart = np.abs(following - corners) >= NEAR * np.abs(off[order])

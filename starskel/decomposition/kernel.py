@@ -16,6 +16,9 @@ _FIRST_EDGES = 8
 _LARGE = 200
 """Vertices of a ring from which on it pays to look for straight runs first."""
 
+_CLEAR = 1e-9
+"""A place so far from all edges, as a share of the largest coordinate, is no matter of rounding."""
+
 _PAIRS = 1 << 16
 """Pairs of a vertex and an edge that are looked at between two questions whether to stop, or few more."""
 
@@ -98,13 +101,17 @@ def _star_points(points: Points, rings: Rings, task: Task) -> tuple[Floats, Floa
     return places, areas
 
 
-def are_seen_from(sides: Sequence[Points], rings: Rings, places: Sequence[Floats]) -> Flags:
+def are_seen_well_from(sides: Sequence[Points], rings: Rings, places: Sequence[Floats]) -> Flags:
     """Tell which rings, the same over all sides, are seen whole from (k, 2) places in each, exactly.
 
-    The places are strictly to the left of all edges, and the rings go round them once.
+    The places keep so far off the lines along all edges that `star_points` proves the rings, too.
     """
     seen: Flags = np.ones(len(rings.counts), dtype=bool)
     for points, place in zip(sides, places, strict=True):
+        edges = Lines.round(rings, points.coordinates.view(np.complex128)[:, 0])
+        off = (edges.way.conj() * (place.view(np.complex128)[rings.owner, 0] - edges.start)).imag
+        margin = _CLEAR * np.maximum.reduceat(np.abs(edges.start), rings.first)[rings.owner]
+        seen &= np.logical_and.reduceat(off > margin * np.abs(edges.way), rings.first)
         seen &= _round_once(points, rings, place)
     return seen
 
@@ -112,8 +119,7 @@ def are_seen_from(sides: Sequence[Points], rings: Rings, places: Sequence[Floats
 def _round_once(points: Points, rings: Rings, places: Floats) -> Flags:
     """Tell whether each ring runs round its place once, always to the left, exactly."""
     vertices, owner, after = rings.rows, rings.owner, rings.following
-    placed = points.with_free(places)
-    sides = placed.orientation(vertices, vertices[after], len(points.coordinates) + owner)
+    sides = points.orientation_to(vertices, vertices[after], owner, places)
     above = points.coordinates[vertices, 1] > places[owner, 1]
     turns = np.bincount(owner[above[after] & ~above], minlength=len(rings.counts))
     once: Flags = np.logical_and.reduceat(sides > 0, rings.first) & (turns == 1)

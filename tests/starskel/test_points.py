@@ -68,3 +68,17 @@ def test_points_on_chords_stand_exactly_on_them():
     assert not added.orientation(rows[::3], rows[1::3], rows[2::3]).any()
     sides = points.orientation(start[:, None], end[:, None], np.arange(len(ring))[None])
     np.testing.assert_array_equal(added.orientation(rows[:, None], end[:, None], np.arange(len(ring))), sides)
+
+
+@pytest.mark.parametrize("shift", [0, 1e6])
+def test_turns_to_places_are_those_to_points_added_there(shift):
+    rng = np.random.default_rng(3)
+    points = points_of(turned(subdivided(two_opt(8, 6), 3), 0.4) + shift)
+    n = len(points.coordinates)
+    places = np.concatenate([points.coordinates, rng.uniform(-50, 150, (40, 2)) + shift])
+    i, j = rng.integers(n, size=(2, 2000))
+    k = rng.integers(len(places), size=2000)
+    for some in (places[:n], places):  # all within the box round the points, and not
+        wanted = points.with_free(some).orientation(i, j, n + k % len(some))
+        np.testing.assert_array_equal(points.orientation_to(i, j, k % len(some), some), wanted)
+        assert len(set(wanted.tolist())) == 3

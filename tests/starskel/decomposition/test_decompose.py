@@ -269,3 +269,8 @@ def test_pieces_that_touch_at_a_vertex_besides_their_edge_are_not_merged():
 def test_a_piece_seen_from_one_vertex_alone_is_not_reshaped():
     source, target = two_opt(36, 1974161621, 10), two_opt(36, 582411916, 10)
     assert faults(decompose(paired(source, target))) == []
+
+
+def test_no_piece_is_kept_whose_kernel_is_a_matter_of_rounding():
+    source, target = two_opt(101, 1832938933, 17), two_opt(101, 1125356237, 17)
+    assert faults(decompose(paired(source, target))) == []

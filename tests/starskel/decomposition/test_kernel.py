@@ -1,6 +1,6 @@
 import numpy as np
 
-from starskel.decomposition.kernel import star_points, star_vertices
+from starskel.decomposition.kernel import are_seen_well_from, star_points, star_vertices
 from starskel.points import points_of
 from starskel.rings import Rings
 from tests.families import comb, subdivided, turned, two_opt
@@ -56,3 +56,23 @@ def test_many_rings_are_asked_for_star_vertices_as_each_is_alone():
     together = star_vertices((first, second), Rings.of(rings))
     np.testing.assert_array_equal(together, np.concatenate([a & b for a, b in alone]))
     assert 20 < together.sum() < 500
+
+
+def test_places_that_prove_rings_well_keep_off_their_edges():
+    ring, thin = rows(L_SHAPE), np.array([0, 2, 3])
+    points = points_of(L_SHAPE)
+    rings = Rings.of([ring] * 3 + [thin])
+    places = np.array([(0.5, 0.5), (1e-12, 0.5), (2, 0.5), (4 / 3, 2 / 3)])
+    assert are_seen_well_from([points], rings, [places]).tolist() == [True, False, False, True]
+    assert are_seen_well_from([points] * 2, rings, [places, places[::-1]]).tolist() == [False] * 4
+
+
+def test_what_a_place_proves_well_the_star_point_proves_as_well():
+    rng = np.random.default_rng(8)
+    points = points_of(two_opt(40, 3))
+    rings = Rings.of([np.sort(rng.choice(40, size, replace=False)) for size in rng.integers(3, 7, 2000)])
+    ((middles, areas),) = star_points([points], rings)
+    spread = rng.normal(0, 1, middles.shape) * 10.0 ** rng.uniform(-12, 1, (len(middles), 1))
+    seen = are_seen_well_from([points], rings, [middles + spread])
+    assert (areas[seen] > 0).all()
+    assert 50 < seen.sum() < (areas > 0).sum()
