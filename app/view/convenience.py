@@ -1,10 +1,10 @@
-"""Finding commands, their shortcuts, the list of edits, and what is kept from one time to the next."""
+"""Finding commands, their shortcuts, and what is kept from one time to the next."""
 
 from collections.abc import Callable
 from dataclasses import fields
 
-from PySide6.QtCore import QObject, Qt, Slot
-from PySide6.QtWidgets import QDockWidget, QMainWindow
+from PySide6.QtCore import QObject, Slot
+from PySide6.QtWidgets import QMainWindow
 
 from app.session import Session
 from app.view.about import AboutDialog
@@ -22,7 +22,6 @@ from app.view.files.remembered import (
     restore_playing,
     switches,
 )
-from app.view.lists.history_list import HistoryList
 from app.view.manual import Manual
 from app.view.painting.display import Layers
 from app.view.wording import language
@@ -39,16 +38,10 @@ class Convenience(QObject):
         self._window = window
         self._session = session
         self._actions: Actions | None = None
-        self.history = HistoryList(session)
-        self._dock = QDockWidget(self.tr("History"), window)
-        self._dock.setObjectName("history-dock")
-        self._dock.setWidget(self.history)
-        self._dock.hide()
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """Give for each command what it does."""
         return {
-            "history": self._show_history,
             "find-command": self._find,
             "shortcuts": self._change_shortcuts,
             "about": self._tell,
@@ -58,8 +51,6 @@ class Convenience(QObject):
     def begin(self, actions: Actions) -> None:
         """Take the actions, when there are some."""
         self._actions = actions
-        self._window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self._dock)
-        self._dock.visibilityChanged.connect(actions["history"].setChecked)
         actions[f"language-{language.chosen()}"].setChecked(True)
         apply_shortcuts(actions.all)
 
@@ -78,10 +69,6 @@ class Convenience(QObject):
         remember_last_file(self._session.path)
         if self._actions is not None:
             remember_switches({name: self._actions[name].isChecked() for name in KEPT})
-
-    @Slot()
-    def _show_history(self) -> None:
-        self._dock.setVisible(not self._dock.isVisible())
 
     @Slot()
     def _find(self) -> None:

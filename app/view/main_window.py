@@ -25,6 +25,7 @@ from app.view.files.importing import Importing
 from app.view.files.project_menus import ExamplesMenu, RecentMenu
 from app.view.files.recovering import Recovering
 from app.view.files.remembered import remember_theme
+from app.view.lists.history_list import HistoryList
 from app.view.lists.marks_table import MarksPanel
 from app.view.lists.partnering import Partnering
 from app.view.lists.parts_list import PartsPanel
@@ -88,10 +89,14 @@ class MainWindow(QMainWindow):
         self.beginning = Beginning(self.actions_table)
         self.setCentralWidget(self._body())
         self.marks = MarksPanel(session)
-        self._marks_dock = self._dock(self.marks, self.tr("Marks"), "marks")
         self.parts = PartsPanel(session, self.partnering, self.actions_table)
-        self._parts_dock = self._dock(self.parts, self.tr("Parts"), "parts")
-        self.partnering.wanted.connect(self._parts_dock.show)
+        self.history = HistoryList(session)
+        self._docks = {
+            "marks": self._dock(self.marks, self.tr("Marks"), "marks"),
+            "parts": self._dock(self.parts, self.tr("Parts"), "parts"),
+            "history": self._dock(self.history, self.tr("History"), "history"),
+        }
+        self.partnering.wanted.connect(self._docks["parts"].show)
         self.convenience.begin(self.actions_table)
         self._take_drops()
         self.setStatusBar(self._status())
@@ -180,8 +185,7 @@ class MainWindow(QMainWindow):
             **dict.fromkeys(PALETTE, self._choose_tool),
             **dict.fromkeys(SWITCHES, self._switch_snapping),
             "suggest": self._suggest_marks,
-            "marks": self._show_marks,
-            "parts": self._show_parts,
+            **dict.fromkeys(("marks", "parts", "history"), self._switch_dock),
             **self.watching.handlers(),
             "light": self._choose_theme,
             "dark": self._choose_theme,
@@ -218,18 +222,13 @@ class MainWindow(QMainWindow):
         self.marks.suggest()
 
     @Slot()
-    def _show_marks(self) -> None:
-        shown = self.actions_table["marks"].isChecked()
-        self._marks_dock.setVisible(shown)
-        if shown:
-            self.marks.table.setFocus()
-
-    @Slot()
-    def _show_parts(self) -> None:
-        shown = self.actions_table["parts"].isChecked()
-        self._parts_dock.setVisible(shown)
-        if shown:
-            self.parts.table.setFocus()
+    def _switch_dock(self) -> None:
+        """Show a list at the side, ready for the keys, or put it away."""
+        name = self.sender().objectName()
+        dock = self._docks[name]
+        dock.setVisible(self.actions_table[name].isChecked())
+        if dock.isVisible():
+            dock.widget().setFocus()
 
     @Slot()
     def _show_how_to_begin(self) -> None:

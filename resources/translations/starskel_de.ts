@@ -1936,13 +1936,6 @@
     </message>
 </context>
 <context>
-    <name>Convenience</name>
-    <message>
-        <source>History</source>
-        <translation>Verlauf</translation>
-    </message>
-</context>
-<context>
     <name>Counts</name>
     <message numerus="yes">
         <source>%n vertices</source>
@@ -2736,6 +2729,10 @@
     <message>
         <source>Parts</source>
         <translation>Teile</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
     </message>
     <message>
         <source>The language changes with the next start.</source>

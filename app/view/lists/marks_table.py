@@ -152,6 +152,7 @@ class MarksPanel(QWidget):
         self.message.setObjectName("marks-message")
         self.message.setWordWrap(True)
         self.message.hide()
+        self.setFocusProxy(self.table)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 4, 6, 6)
         layout.addLayout(self._suggestion())

@@ -178,6 +178,7 @@ class PartsPanel(QWidget):
     def __init__(self, session: Session, partnering: Partnering, actions: Actions) -> None:
         super().__init__()
         self.table = PartsTable(session, partnering, actions)
+        self.setFocusProxy(self.table)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 4, 6, 6)
         layout.addLayout(self._buttons(actions))

@@ -175,7 +175,7 @@ def test_the_window_comes_back_as_it_was_left(driver: Driver, tmp_path: Path, qt
     try:
         assert second.display.layers.pieces
         assert not second.display.layers.skeleton
-        assert second.convenience.history.isVisible()
+        assert second.history.isVisible()
         assert field(second, "repeat").currentIndex() == 1
         assert second.player.speed == first.player.speed < 1
         assert second.actions_table["history"].isChecked()
@@ -224,7 +224,7 @@ def test_a_click_in_the_history_goes_there(driver: Driver) -> None:
     driver.draw_both()
     driver.mark((10, 10), (10, 10))
     driver.key(Qt.Key.Key_H, CONTROL)
-    shown = driver.window.convenience.history
+    shown = driver.window.history
     assert shown.isVisible()
     assert [shown.item(row).text() for row in range(shown.count())] == [
         "Opened",
@@ -245,7 +245,7 @@ def test_a_click_in_the_history_goes_there(driver: Driver) -> None:
 
 def test_the_history_greys_out_what_is_undone_and_catches_up_when_it_is_shown(driver: Driver) -> None:
     driver.draw_both()
-    shown, command = driver.window.convenience.history, driver.window.actions_table["history"]
+    shown, command = driver.window.history, driver.window.actions_table["history"]
 
     def rows() -> list[tuple[str, bool]]:
         items = [shown.item(row) for row in range(shown.count())]
