@@ -146,7 +146,7 @@ def seen_ends(
 
 def _onward(n: int) -> Indices:
     """Give for each vertex of one ring the next."""
-    return np.roll(np.arange(n), -1)
+    return np.append(np.arange(1, n), 0)
 
 
 def _undecided(p0: Complex, q0: Complex, p1: Complex, q1: Complex) -> Indices:

@@ -65,8 +65,8 @@ class CertifiedBlend(Blend):
         """The distance that every vertex keeps from every edge that it is no end of, at all times.
 
         A lower bound, short of the true distance by a tenth at most. Repairs keep a thousandth of the size
-        where the source and the target leave so much, and are widened towards five thousandths where that
-        is to be had.
+        where the source, the target and the way between them leave so much, and are widened towards five
+        thousandths where that is to be had.
         """
         return clearance(self.keys)
 
