@@ -66,7 +66,7 @@ class FaultDialog(QDialog):
         heading.setObjectName("heading")
         self.state = QLabel(safe if kept else unsafe)
         self.state.setWordWrap(True)
-        asked = QLabel(self.tr("With this report the fault can be found and mended:"))
+        use = QLabel(self.tr("With this report the fault can be found and mended:"))
         self.report = QPlainTextEdit(report)
         self.report.setReadOnly(True)
         self.report.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
@@ -77,7 +77,7 @@ class FaultDialog(QDialog):
         copy.clicked.connect(self._copy)
         buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
-        for widget in (heading, self.state, asked, self.report, buttons):
+        for widget in (heading, self.state, use, self.report, buttons):
             layout.addWidget(widget)
 
     @Slot()
