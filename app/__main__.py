@@ -32,7 +32,8 @@ def main() -> int:
         # the window needs the other cores, and products as small as ours wait for threads more than they gain
         os.environ.setdefault(name, "1")
     # imported only now: where Qt's libraries are missing this fails, and the message above is clearer
-    status: int = import_module("app.view.start").run(arguments.file and arguments.file.absolute())
+    path = arguments.file and Path(os.path.abspath(arguments.file))
+    status: int = import_module("app.view.start").run(path)
     return status
 
 

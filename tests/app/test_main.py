@@ -15,7 +15,7 @@ def test_a_file_is_named_as_a_whole_so_that_what_is_said_of_it_can_be_understood
     given: list[Path | None] = []
     monkeypatch.setattr(start, "run", given.append)
     monkeypatch.chdir(tmp_path)
-    for arguments in (["a/b.json"], []):
+    for arguments in (["a/../b.json"], []):
         monkeypatch.setattr(sys, "argv", ["starskel-editor", *arguments])
         main()
-    assert given == [tmp_path / "a" / "b.json", None]
+    assert given == [tmp_path / "b.json", None]
