@@ -50,7 +50,8 @@ def tried(board: Board, around: dict[int, list[Piece]], stride: float, task: Tas
     middles, worth = _worth(board.at[:, chains.rows], places, chains, owner, task)
     least = np.minimum.reduceat(worth, np.cumsum(counts) - counts, axis=1)
     best = least.argmax(axis=2)[..., None]
-    gains = np.take_along_axis(least, best, axis=2) / least[..., :1]
+    with np.errstate(divide="ignore", invalid="ignore"):  # a kernel may be thinner than rounding can tell
+        gains = np.take_along_axis(least, best, axis=2) / least[..., :1]
     moved = np.take_along_axis(middles, best[:, owner], axis=2)
     chosen = np.take_along_axis(places, best, axis=2).view(np.float64)
     return Tries(chosen, gains[..., 0], middles[..., 0], moved[..., 0])
