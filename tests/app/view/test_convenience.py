@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QDesktopServices, QDragEnterEvent, QDropEvent, QGuiApplication, QKeySequence
+from PySide6.QtGui import QDesktopServices, QDragEnterEvent, QDropEvent, QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QMessageBox, QPushButton, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
@@ -13,8 +13,6 @@ from pytestqt.qtbot import QtBot
 from app.session import Session
 from app.tools.tool import Key
 from app.view.about import AboutDialog, versions
-from app.view.commands.finder import Finder, matches
-from app.view.commands.shortcuts import ShortcutsDialog, apply_shortcuts, changed_shortcuts
 from app.view.files import remembered
 from app.view.files.project_menus import LARGE
 from app.view.main_window import FRAME, MainWindow
@@ -24,7 +22,7 @@ from starskel.files.project import Project
 from starskel.files.project_file import write_project
 from starskel.files.step import Step
 from starskel.polygon import Polygon
-from tests.app.driver import CONTROL, LEFT, PLAIN, SHIFT, SQUARE, Driver
+from tests.app.driver import CONTROL, LEFT, PLAIN, SQUARE, Driver
 
 SHAPE = Polygon(SQUARE)
 
@@ -267,107 +265,6 @@ def test_the_history_greys_out_what_is_undone_and_catches_up_when_it_is_shown(dr
     driver.key(Qt.Key.Key_Z, CONTROL)
     assert [undone for _, undone in rows()] == [False, False, True, True]
     driver.window.actions_table["light"].trigger()
-
-
-# commands
-
-
-def test_a_command_is_found_by_a_part_of_its_name(driver: Driver) -> None:
-    def find(dialog: QWidget) -> None:
-        assert isinstance(dialog, Finder)
-        QTest.keyClicks(dialog.field, "pie star")
-        QTest.keyClick(dialog.field, Qt.Key.Key_Return)
-
-    with_dialog(driver, Finder, find)
-    driver.key(Qt.Key.Key_K, CONTROL)
-    assert driver.window.display.layers.pieces
-
-
-def test_arrow_keys_choose_among_the_commands_found_and_escape_gives_none(driver: Driver) -> None:
-    def choose(dialog: QWidget) -> None:
-        assert isinstance(dialog, Finder)
-        QTest.keyClicks(dialog.field, "zoom")
-        first = dialog.list.currentItem()
-        QTest.keyClick(dialog.field, Qt.Key.Key_Down)
-        assert dialog.list.currentItem() is not first
-        QTest.keyClick(dialog.field, Qt.Key.Key_Escape)
-
-    scale = driver.window.canvases["source"].camera.scale
-    with_dialog(driver, Finder, choose)
-    driver.key(Qt.Key.Key_P, CONTROL | SHIFT)
-    assert driver.window.canvases["source"].camera.scale == scale
-
-
-def test_every_word_is_looked_for() -> None:
-    assert matches("Mirror Left and Right", "right mir")
-    assert not matches("Mirror Left and Right", "mirror up")
-    assert matches("anything", "")
-
-
-def assign(dialog: QWidget, command: str, keys: str) -> None:
-    assert isinstance(dialog, ShortcutsDialog)
-    (item,) = dialog.list.findItems(command, Qt.MatchFlag.MatchExactly)
-    dialog.list.setCurrentItem(item)
-    dialog.keys.setKeySequence(QKeySequence(keys))
-    QTest.mouseClick(dialog.assign, LEFT)
-
-
-def test_a_shortcut_is_changed_works_at_once_and_is_kept(driver: Driver) -> None:
-    def change(dialog: QWidget) -> None:
-        assign(dialog, "Star Pieces", "Ctrl+J")
-        dialog.close()
-
-    with_dialog(driver, ShortcutsDialog, change)
-    driver.window.actions_table["shortcuts"].trigger()
-    driver.key(Qt.Key.Key_J, CONTROL)
-    assert driver.window.display.layers.pieces
-    driver.key(Qt.Key.Key_1, CONTROL)
-    assert driver.window.display.layers.pieces, "the old key does nothing any more"
-    assert changed_shortcuts() == {"pieces": "Ctrl+J"}
-
-
-def test_a_shortcut_that_is_taken_changes_hands_after_a_warning(driver: Driver) -> None:
-    def change(dialog: QWidget) -> None:
-        assert isinstance(dialog, ShortcutsDialog)
-        (item,) = dialog.list.findItems("Star Pieces", Qt.MatchFlag.MatchExactly)
-        dialog.list.setCurrentItem(item)
-        dialog.keys.setKeySequence(QKeySequence("Ctrl+2"))
-        assert "Skeleton" in dialog.note.text()
-        assign(dialog, "Star Pieces", "Ctrl+2")
-        dialog.close()
-
-    with_dialog(driver, ShortcutsDialog, change)
-    driver.window.actions_table["shortcuts"].trigger()
-    driver.key(Qt.Key.Key_2, CONTROL)
-    assert driver.window.display.layers.pieces
-    assert not driver.window.display.layers.skeleton
-    assert changed_shortcuts() == {"pieces": "Ctrl+2", "skeleton": ""}
-
-
-def test_a_command_with_two_shortcuts_loses_only_the_one_that_is_taken(driver: Driver) -> None:
-    def change(dialog: QWidget) -> None:
-        assign(dialog, "Star Pieces", "Ctrl+Y")
-        dialog.close()
-
-    with_dialog(driver, ShortcutsDialog, change)
-    driver.window.actions_table["shortcuts"].trigger()
-    assert driver.window.actions_table["redo"].shortcuts() == [QKeySequence("Ctrl+Shift+Z")]
-    apply_shortcuts(driver.window.actions_table.all)
-    assert driver.window.actions_table["redo"].shortcuts() == [QKeySequence("Ctrl+Shift+Z")]
-    assert driver.window.actions_table["pieces"].shortcuts() == [QKeySequence("Ctrl+Y")]
-
-
-def test_the_usual_shortcuts_come_back(driver: Driver) -> None:
-    def change(dialog: QWidget) -> None:
-        assign(dialog, "Star Pieces", "Ctrl+J")
-        usual = next(b for b in dialog.findChildren(QPushButton) if b.text() == "&Usual Shortcuts")
-        QTest.mouseClick(usual, LEFT)
-        dialog.close()
-
-    with_dialog(driver, ShortcutsDialog, change)
-    driver.window.actions_table["shortcuts"].trigger()
-    assert changed_shortcuts() == {}
-    assert driver.window.actions_table["pieces"].shortcut() == QKeySequence("Ctrl+1")
 
 
 # about, progress, notices
