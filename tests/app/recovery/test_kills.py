@@ -47,7 +47,8 @@ def killed(path: Path, seed: int, seconds: float) -> tuple[list[Said], float]:
         moment = time.monotonic()
         program.kill()
     assert program.returncode == -signal.SIGKILL
-    words = [line.split() for line in said.read_text().splitlines()]
+    whole = said.read_text().rpartition("\n")[0]  # it may have been killed in the middle of the last line
+    words = [line.split() for line in whole.splitlines()]
     return [Said(float(when), kind, int(number)) for when, kind, number in words], moment
 
 
