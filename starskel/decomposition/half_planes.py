@@ -95,24 +95,31 @@ def _hulls(corners: Complex, owner: Indices, count: int) -> Convex:
 
 
 def _thinned(lines: Lines, task: Task) -> Lines:
-    """Leave out lines that bound nothing, and all lines of cells that are seen to be empty."""
+    """Leave out lines that bound nothing in cells of many, and all lines of those that are seen to be empty.
+
+    Lines in one direction leave each other alone here: of two on top of each other rounding might leave none.
+    """
     while lines.counts.max(initial=0) > WIDE:
         groups = -(-lines.counts // WIDE)
         cell = np.repeat(np.arange(len(groups)), groups)
         counts = np.full(len(cell), WIDE)
         counts[(np.cumsum(groups) - 1)[groups > 0]] -= (WIDE * groups - lines.counts)[groups > 0]
-        low, high = _stretches(Lines(lines.start, lines.way, counts), task)
+        low, high = _stretches(Lines(lines.start, lines.way, counts), task, apart=NEAR)
         bounds = low < high + NEAR
         left = np.logical_or.reduceat(bounds, np.cumsum(counts) - counts)
         bounds &= np.bincount(cell[~left], minlength=len(groups))[lines.owner] == 0
+        bounds |= groups[lines.owner] == 1  # so that a cell does not depend on others
         if bounds.all():
             break
         lines = lines.chosen(bounds)
     return lines
 
 
-def _stretches(lines: Lines, task: Task) -> tuple[Floats, Floats]:
-    """Give where on each line, as shares of its way, the stretch begins and ends that the others leave."""
+def _stretches(lines: Lines, task: Task, apart: float = 0.0) -> tuple[Floats, Floats]:
+    """Give where on each line, as shares of its way, the stretch begins and ends that the others leave.
+
+    Lines leave each other alone whose directions differ by less than a sine.
+    """
     low, high = np.empty(len(lines.way)), np.empty(len(lines.way))
     first = np.cumsum(lines.counts) - lines.counts
     for cells in _alike(lines.counts):
@@ -124,7 +131,7 @@ def _stretches(lines: Lines, task: Task) -> tuple[Floats, Floats]:
         step = max(1, PAIRS // line.size)
         for some in (slice(k, k + step) for k in range(0, len(line), step)):
             task.reach(0)
-            found, kept = _stretch(start, way, some), filled[some]
+            found, kept = _stretch(start, way, some, apart), filled[some]
             low[line[some][kept]], high[line[some][kept]] = (part[kept] for part in found)
     return low, high
 
@@ -142,7 +149,7 @@ def _alike(counts: Indices) -> Iterator[Indices]:
         at += count
 
 
-def _stretch(start: Complex, way: Complex, some: slice) -> tuple[Floats, Floats]:
+def _stretch(start: Complex, way: Complex, some: slice, apart: float) -> tuple[Floats, Floats]:
     """Give the stretches of some lines, each a place in a column, that all lines of the column leave.
 
     What fills a column up has no length and leaves all. Signs choose through infinities: masks take longer.
@@ -152,6 +159,9 @@ def _stretch(start: Complex, way: Complex, some: slice) -> tuple[Floats, Floats]
     right = y * start.real[some] - x * start.imag[some] - (y * start.real[:, None] - x * start.imag[:, None])
     own = np.arange(len(way))[some]
     turn[own, own - own[0]], right[own, own - own[0]] = 0.0, -1.0
+    if apart:
+        alone = np.abs(turn) < apart * np.abs(way)[:, None] * np.abs(way[some])
+        turn[alone], right[alone] = 0.0, -1.0
     with np.errstate(divide="ignore", invalid="ignore"):
         share, side = right / turn, turn * np.inf  # no number where lines are parallel
         low = np.fmax.reduce(np.fmin(share, side), axis=0, initial=-np.inf)

@@ -271,6 +271,11 @@ def test_a_piece_seen_from_one_vertex_alone_is_not_reshaped():
     assert faults(decompose(paired(source, target))) == []
 
 
+def test_pieces_of_many_straight_vertices_have_origins_as_they_have_alone():
+    source, target = (subdivided(two_opt(18, seed), 5) for seed in (668752726, 2142439354))
+    assert faults(decompose(paired(source, target))) == []
+
+
 def test_no_piece_is_kept_whose_kernel_is_a_matter_of_rounding():
     source, target = two_opt(101, 1832938933, 17), two_opt(101, 1125356237, 17)
     assert faults(decompose(paired(source, target))) == []

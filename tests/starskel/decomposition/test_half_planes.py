@@ -6,7 +6,7 @@ from starskel.decomposition.half_planes import WIDE, Lines, left_of_all
 from starskel.errors import Cancelled
 from starskel.rings import Rings
 from starskel.task import Task
-from tests.families import blob, comb, spiral, subdivided, turned
+from tests.families import blob, comb, spiral, subdivided, turned, two_opt
 
 SQUARE = np.array([0, 2, 2 + 2j, 2j])
 
@@ -27,7 +27,7 @@ def one_by_one(lines):
     areas = []
     for cell, count in enumerate(lines.counts):
         first = int(lines.counts[:cell].sum())
-        left = boxes(np.array([-99 - 99j, 99 + 99j]), np.array([0]))
+        left = boxes(np.array([-999 - 999j, 999 + 999j]), np.array([0]))
         for k in range(first, first + count):
             left = left.left_of(lines.start[[k]], (lines.start + lines.way)[[k]])
         areas.append(left.measured()[1][0])
@@ -85,6 +85,18 @@ def test_rings_of_many_vertices_are_thinned():
     for shape in (ring, spiral(4 * WIDE, 2), subdivided(comb(2), WIDE)):
         lines = round_all(numbers(shape))
         np.testing.assert_allclose(left_of_all(lines).measured()[1], one_by_one(lines), rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_cells_are_the_same_whatever_cells_there_are_besides(seed):
+    """Straight runs make lines on top of each other, which rounding must not make both vanish."""
+    rings = [numbers(turned(subdivided(two_opt(n, seed), 5), seed)) for n in (3, 4, 5, 6, 7, 12)]
+    together = left_of_all(round_all(*rings)).measured()
+    for cell, ring in enumerate(rings):
+        alone = left_of_all(round_all(ring)).measured()
+        assert together[0][cell] == alone[0][0]
+        assert together[1][cell] == alone[1][0]
+        np.testing.assert_allclose(alone[1], one_by_one(round_all(ring)), rtol=1e-6, atol=1e-6)
 
 
 def test_it_can_be_stopped():
