@@ -64,15 +64,17 @@ def carriers_of(
     if isinstance(blend, Blend):
         moved = mesh_blend(blend, decomposition, task)
         return (Carrier(moved.mesh.triangles, _edges(blend.pair), moved.mesh_at),)
-    bodies = {body.part.links[0]: body for body in blend.bodies}
+    moved_by = {
+        body.part.links[0]: (body, pieces) for body, pieces in zip(blend.bodies, blend.pieces, strict=True)
+    }
     parts = blend.pair.parts
     return tuple(
-        _carrier(blend, part, bodies[part.links[0]], task.part(k / len(parts), (k + 1) / len(parts)))
+        _carrier(blend, part, *moved_by[part.links[0]], task.part(k / len(parts), (k + 1) / len(parts)))
         for k, part in enumerate(parts)
     )
 
 
-def _carrier(blend: ShapeBlend, part: PartPair, body: Body, task: Task) -> Carrier:
+def _carrier(blend: ShapeBlend, part: PartPair, body: Body, pieces: PieceBlend | None, task: Task) -> Carrier:
     places = [blend.pair.pairing.index(link) for link in part.links]
 
     def rows_at(t: float) -> Floats:
@@ -81,7 +83,7 @@ def _carrier(blend: ShapeBlend, part: PartPair, body: Body, task: Task) -> Carri
         return np.concatenate([outline, *(hole[::-1] for hole in holes)])
 
     edges = _edges(part.pair)
-    if (pieces := blend.pieces_of(body)) is not None:
+    if pieces is not None:
         moved = _Moved(body, pieces, rows_at)
         return Carrier(pieces.mesh.triangles, edges, moved.nodes_at, number=places[0])
     pair, (source, target) = part.pair, (ring is not None for ring in part.links[0])

@@ -69,8 +69,10 @@ class CertifiedShapeBlend(ShapeBlend):
         self.key_times = read_only(np.array([key.t for key in keys]))
         self._keys = self.key_times, np.stack([key.frame for key in keys])
 
-    def pieces_of(self, body: Body) -> None:
-        """Give none: frames lie between keyframes, where the pieces of the bodies would be elsewhere."""
+    @property
+    def pieces(self) -> tuple[None, ...]:
+        """None for each body: frames lie between keyframes, where the bodies' pieces would be elsewhere."""
+        return (None,) * len(self.bodies)
 
     def _all_rows(self, ts: Floats) -> Floats:
         return np.concatenate(self._exact_rows(ts), axis=1)

@@ -130,9 +130,10 @@ class ShapeBlend:
         own = [body.part.rings(part) for body, part in zip(self.bodies, rows, strict=True)]
         return [own[body][ring] for body, ring in (self._places[link] for link in self.pair.pairing)]
 
-    def pieces_of(self, body: "Body") -> PieceBlend | None:
-        """Give the blend of a body's star pieces, which go where its frames go; None where there are none."""
-        return body.blend if isinstance(body.blend, PieceBlend) else None
+    @property
+    def pieces(self) -> tuple[PieceBlend | None, ...]:
+        """For each body the blend of its star pieces, which go where its frames go, or None."""
+        return tuple(body.blend if isinstance(body.blend, PieceBlend) else None for body in self.bodies)
 
     def negative_lengths(self, ts: ArrayLike) -> Flags:
         """Tell at which of the times `ts` the method had to give some edge a negative length."""

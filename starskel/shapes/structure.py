@@ -44,8 +44,8 @@ def structures_at(blend: Blend | ShapeBlend, t: float) -> Iterator[Structure]:
     if not isinstance(blend, ShapeBlend):
         return
     rings = blend.at(t)
-    for body in blend.bodies:
-        if (pieces := blend.pieces_of(body)) is not None:
+    for body, pieces in zip(blend.bodies, blend.pieces, strict=True):
+        if pieces is not None:
             number = blend.pair.pairing.index(body.part.links[0])
             points, place = pieces.points_at(t), rings[number][0]
             skeleton = body.carried(t, pieces.skeleton_at(t), points[0], place)
