@@ -157,7 +157,7 @@ class ImageMorph:
         ------
         StarskelError
             Where t is not a number from 0 to 1, or there is something wrong with the size, the view or the
-        quality.
+            quality.
         """
         time = float(checked_times([t])[0])
         box = self.view if view is None else checked_view(view)
