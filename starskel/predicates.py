@@ -5,7 +5,7 @@ Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates"). What
 summed without any rounding: every product is split into its rounded value and its error, and the twelve parts
 are distilled until they do not overlap, so that the largest of them carries the sign.
 
-This module holds the only tolerance of the library, `ROUNDING`.
+This module holds the only tolerances of decisions: `ROUNDING`, and `NEAR` for what is proven exactly after.
 """
 
 import numpy as np
@@ -17,6 +17,9 @@ UNIT = 2.0**-53
 
 ROUNDING = 8 * UNIT
 """Coordinates count as known to this part of the largest of them: inserted vertices are rounded."""
+
+NEAR = 1e-9
+"""Smaller shares are no matter of floats: what is found with this counts only once it is proven."""
 
 LARGEST = 1e75
 """Products of four larger coordinates overflow, those of coordinates all below 1/LARGEST underflow."""

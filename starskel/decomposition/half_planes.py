@@ -5,6 +5,9 @@ found from all pairs of lines at once, in a few array operations however many li
 the corners of the cell. Where lines lie on top of each other each has a part of the stretch, or the whole:
 that makes no other corners.
 
+Corners that are `NEAR` to each other, in distances from the middle, are one. Of a cell that is too small by
+no more than this share of a way something is left, without area: it may be a point.
+
 Cells of many lines are thinned first: a line that bounds nothing among some of the others bounds nothing.
 """
 
@@ -15,6 +18,7 @@ import numpy as np
 
 from starskel.arrays import Complex, Flags, Floats, Indices
 from starskel.decomposition.clipping import Convex
+from starskel.predicates import NEAR
 from starskel.rings import Rings
 from starskel.task import UNWATCHED, Task
 
@@ -26,10 +30,6 @@ ALIKE = 0.6
 
 FEW = 1 << 12
 """Cells with so few pairs of lines are worked on in one array, alike or not."""
-
-NEAR = 1e-9
-"""Corners that are so near to each other, in distances from the middle, are one. Of a cell that is too small
-by no more than this share of a way something is left, without area: it may be a point."""
 
 PAIRS = 1 << 16
 """Pairs of lines that are looked at between two questions whether to stop."""

@@ -7,6 +7,7 @@ import numpy as np
 from starskel.arrays import Flags, Floats, Indices, Signs
 from starskel.decomposition.half_planes import Lines, left_of_all
 from starskel.points import Points
+from starskel.predicates import NEAR
 from starskel.rings import Rings, ranges
 from starskel.task import UNWATCHED, Task
 
@@ -15,9 +16,6 @@ _FIRST_EDGES = 8
 
 _LARGE = 200
 """Vertices of a ring from which on it pays to look for straight runs first."""
-
-_CLEAR = 1e-9
-"""A place so far from all edges, as a share of the largest coordinate, is no matter of rounding."""
 
 _PAIRS = 1 << 16
 """Pairs of a vertex and an edge that are looked at between two questions whether to stop, or few more."""
@@ -104,13 +102,14 @@ def _star_points(points: Points, rings: Rings, task: Task) -> tuple[Floats, Floa
 def are_seen_well_from(sides: Sequence[Points], rings: Rings, places: Sequence[Floats]) -> Flags:
     """Tell which rings, the same over all sides, are seen whole from (k, 2) places in each, exactly.
 
-    The places keep so far off the lines along all edges that `star_points` proves the rings, too.
+    The places keep so far off the lines along all edges, as a share of the largest coordinate, that rounding
+    is no matter: `star_points` proves the rings, too.
     """
     seen: Flags = np.ones(len(rings.counts), dtype=bool)
     for points, place in zip(sides, places, strict=True):
         edges = Lines.round(rings, points.coordinates.view(np.complex128)[:, 0])
         off = (edges.way.conj() * (place.view(np.complex128)[rings.owner, 0] - edges.start)).imag
-        margin = _CLEAR * np.maximum.reduceat(np.abs(edges.start), rings.first)[rings.owner]
+        margin = NEAR * np.maximum.reduceat(np.abs(edges.start), rings.first)[rings.owner]
         seen &= np.logical_and.reduceat(off > margin * np.abs(edges.way), rings.first)
         seen &= _round_once(points, rings, place)
     return seen
