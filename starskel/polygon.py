@@ -13,14 +13,14 @@ from starskel.errors import InvalidPolygon, told
 from starskel.outline import signed_areas
 from starskel.predicates import LARGEST, ROUNDING, orientation
 
-CLEARANCE = 4
+TOUCHING = 4
 """Roundings of the largest coordinate: so far vertices must stay from edges that they are no end of."""
 
 
 class Polygon:
     """A simple polygon: at least three vertices, no two of them equal, no edges that touch but neighbours.
 
-    Edges that come nearer to each other than `CLEARANCE` roundings of the coordinates count as touching.
+    Edges that come nearer to each other than `TOUCHING` roundings of the coordinates count as touching.
 
     A ring given clockwise is turned round, vertex 0 kept first; a last point equal to the first is dropped.
 
@@ -183,7 +183,7 @@ def _check_clearance(rows: Floats) -> None:
     """Refuse vertices so near to other edges that rounding decides on which side they are."""
     n = len(rows)
     edges = shapely.linestrings(np.stack([rows, np.roll(rows, -1, axis=0)], axis=1))
-    near = CLEARANCE * ROUNDING * float(np.abs(rows).max())
+    near = TOUCHING * ROUNDING * float(np.abs(rows).max())
     vertex, edge = shapely.STRtree(edges).query(shapely.points(rows), predicate="dwithin", distance=near)
     foreign = np.flatnonzero((vertex != edge) & (vertex != (edge + 1) % n))
     if len(foreign):

@@ -17,7 +17,7 @@ from starskel.polygon import Polygon
 USUAL = Step()
 """A step until the user sets something; durations count in steps of its length."""
 
-SHORTEST = 0.05
+SHORTEST_DURATION = 0.05
 """No step is shorter."""
 
 Vertex = tuple[Polygon, int]
@@ -181,9 +181,9 @@ class Sequence:
         Raises
         ------
         StarskelError
-            If it is shorter than `SHORTEST`.
+            If it is shorter than `SHORTEST_DURATION`.
         """
-        if duration < SHORTEST:
+        if duration < SHORTEST_DURATION:
             raise StarskelError(told("a step this short cannot be seen"), told("let it last longer"))
         return self.put_step(step, replace(self.steps[step], duration=duration))
 

@@ -14,7 +14,7 @@ from app.tools.handles import CORNERS, TURN
 from app.tools.pick import distance
 from app.tools.refusal import refused_ring
 from app.tools.settings import Snapping
-from app.tools.snapping import REACH, STEP, caught, ground_for_moving
+from app.tools.snapping import CATCH_REACH, STEP, caught, ground_for_moving
 from app.tools.tool import Catch, Commit, Key, Overlay, Pointer, Response, Scene, Tool
 from starskel.arrays import Floats
 from starskel.errors import StarskelError
@@ -205,7 +205,7 @@ def turned_by(start: Pointer, pointer: Pointer, about: Point, snapping: Snapping
     (x, y), here, there = about, pointer.at, start.at
     angle = turn + atan2(here[1] - y, here[0] - x) - atan2(there[1] - y, there[0] - x)
     even = STEP * round(angle / STEP)
-    near = abs(angle - even) * distance(here, about) <= pointer.radius * REACH
+    near = abs(angle - even) * distance(here, about) <= pointer.radius * CATCH_REACH
     caught_by = (snapping.angles and near and not pointer.free) or pointer.shift
     return remainder((even if caught_by else angle) - turn, tau)
 

@@ -17,7 +17,7 @@ from app.tools.settings import Snapping
 from app.tools.tool import Catch, Pointer, Scene
 from starskel.arrays import Floats
 
-REACH = 2 / 3
+CATCH_REACH = 2 / 3
 """How near something must come to catch the pointer, as a part of how near counts as on it."""
 
 STEP = pi / 12
@@ -152,7 +152,7 @@ def caught(pointer: Pointer, snapping: Snapping, ground: Ground) -> Catch:
     if pointer.shift and ground.origins:
         ray = _ray(ground.origins[0], pointer.at)
         return _on((ray,), ray.foot(pointer.at))
-    reach = pointer.radius * REACH
+    reach = pointer.radius * CATCH_REACH
     met = _met(pointer.at, snapping, ground, reach) or _on_lines(pointer.at, snapping, ground, reach)
     if met is None and snapping.grid:
         return Catch(_on_grid(pointer.at, snapping.spacing), "grid")

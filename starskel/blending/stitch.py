@@ -10,10 +10,10 @@ from starskel.blending.laplacian import Factored, factor
 from starskel.blending.mesh import Mesh, triangle_areas
 from starskel.polar import as_complex, as_points
 
-SHORTEST = 1e-3
+SHORTEST_EDGE = 1e-3
 """Edges shorter than this part of the size count as so long."""
 
-REACH = 0.3
+SMOOTHED_OVER = 0.3
 """How far area corrections are smoothed, as a part of the size."""
 
 SWOLLEN, SQUEEZED = 4.0, 1.5
@@ -78,7 +78,7 @@ def graph_of(mesh: Mesh) -> Graph:
     held = np.maximum(masses, _LEAST_MASS * masses.mean())
     at_points = _sums(mesh.triangles, held, count)
     at_edges = _sums(mesh.sides, held, len(mesh.edges))
-    stiffness = at_edges * (REACH / _relative_lengths(mesh)) ** 2
+    stiffness = at_edges * (SMOOTHED_OVER / _relative_lengths(mesh)) ** 2
     return Graph(
         mesh=mesh,
         ends=ends,
@@ -165,7 +165,7 @@ class Stitch:
 
 
 def _relative_lengths(mesh: Mesh) -> Floats:
-    return np.asarray(np.maximum(mesh.lengths / mesh.size, SHORTEST))
+    return np.asarray(np.maximum(mesh.lengths / mesh.size, SHORTEST_EDGE))
 
 
 def edge_weights(mesh: Mesh, on_ring: float, yielding: float) -> Floats:

@@ -18,7 +18,7 @@ _TIMES = np.arange(1, 8) / 8
 _OUTLINE = 3.0
 """How much more an edge of the outline insists than a diagonal."""
 
-_SHORTEST = 1e-3
+_SHORTEST_VECTOR = 1e-3
 """Vectors insist on their relative change; those shorter than this, by the radius of gyration, no more."""
 
 _DIGITS = 9
@@ -52,7 +52,10 @@ class Trial:
         links = np.concatenate([outline, *across])
         vectors = _turning(rings, links)
         lengths = (vectors.source_lengths + vectors.target_lengths) / 2
-        weights = np.where(np.arange(len(links)) < count, _OUTLINE, 1.0) / np.maximum(lengths, _SHORTEST) ** 2
+        weights = (
+            np.where(np.arange(len(links)) < count, _OUTLINE, 1.0)
+            / np.maximum(lengths, _SHORTEST_VECTOR) ** 2
+        )
         frames, squares = _fitted(vectors.at(_TIMES), links, weights, count)
         strain = float(squares.max() / (weights @ lengths**2))
         return cls(strain, float(cross_themselves(as_points(frames)).mean()))

@@ -17,7 +17,7 @@ from starskel.files.decimals import decimal
 from starskel.sheet.drawing import Area, Disc, Drawing, Group, Image, Item, Label, Line, Stroke, channels
 from starskel.task import Task
 
-_REACH = 0.5522847498307936
+_QUARTER_HANDLE = 0.5522847498307936
 """Handles of this length, for a radius of 1, bend four Bezier curves to a circle within 0.03 %."""
 
 
@@ -70,7 +70,7 @@ def _path(points: Floats) -> str:
 
 def _circle(x: float, y: float, radius: float) -> str:
     points = [complex(x, y) + radius * 1j**k for k in range(5)]
-    tangents = [_REACH * radius * 1j ** (k + 1) for k in range(5)]
+    tangents = [_QUARTER_HANDLE * radius * 1j ** (k + 1) for k in range(5)]
     curves = [(points[k] + tangents[k], points[k + 1] - tangents[k + 1], points[k + 1]) for k in range(4)]
     lines = [" ".join(f"{decimal(p.real)} {decimal(p.imag)}" for p in curve) + " c" for curve in curves]
     return "\n".join([f"{decimal(x + radius)} {decimal(y)} m", *lines, "h"])

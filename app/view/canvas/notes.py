@@ -30,7 +30,7 @@ NOTICE = 340.0
 VEIL = 3000.0
 """So many pixels farther away is as bad as lying over the inside of the shape with all of the notice."""
 
-CLEARANCE = 24.0
+NOTICE_MARGIN = 24.0
 """Pixels between a notice and what it is about."""
 
 
@@ -168,7 +168,7 @@ def _covered(boxes: Sequence[QRectF], ring: Floats) -> Floats:
 
 
 def _near(box: QRectF) -> QRectF:
-    return box.adjusted(-CLEARANCE, -CLEARANCE, CLEARANCE, CLEARANCE)
+    return box.adjusted(-NOTICE_MARGIN, -NOTICE_MARGIN, NOTICE_MARGIN, NOTICE_MARGIN)
 
 
 def _sized(font: QFont, points: float, *, bold: bool = False) -> QFont:

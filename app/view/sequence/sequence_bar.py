@@ -11,7 +11,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.model.sequence import SHORTEST
+from app.model.sequence import SHORTEST_DURATION
 from app.playback import Playback
 from app.session import Session
 from app.view.commands.actions import Actions
@@ -21,7 +21,7 @@ from app.view.timeline.player import Player
 from app.view.wording import words
 from app.view.wording.decimal_field import DecimalField
 
-LONGEST = 600.0
+LONGEST_DURATION = 600.0
 """Seconds that a step takes at most."""
 
 
@@ -78,7 +78,7 @@ class SequenceBar(QWidget):
         self.duration.setToolTip(self.tr("How long the step on the canvases takes, at speed 1"))
         self.duration.setSuffix(self.tr(" s"))
         self.duration.setDecimals(2)
-        self.duration.setRange(SHORTEST * Playback.duration, LONGEST)
+        self.duration.setRange(SHORTEST_DURATION * Playback.duration, LONGEST_DURATION)
         self.duration.setSingleStep(0.5)
         self.duration.setKeyboardTracking(False)
         self.duration.valueChanged.connect(self._set_duration)
@@ -86,7 +86,7 @@ class SequenceBar(QWidget):
 
     @Slot(float)
     def _set_duration(self, seconds: float) -> None:
-        self._sequencing.set_duration(max(seconds / Playback.duration, SHORTEST))
+        self._sequencing.set_duration(max(seconds / Playback.duration, SHORTEST_DURATION))
 
     @Slot(QRectF)
     def _reveal(self, place: QRectF) -> None:

@@ -1,8 +1,8 @@
 """What keeps vertices off edges: an energy that rises where a pair comes nearer than at both ends of the way.
 
 The energy of a pair at distance d is the squared logarithm of (d - r) / (h - r) below its reach h, and zero
-beyond; r is the room that it is to keep. The
-reach is less than the pair's distance in each frame that must be met exactly: there it pushes nothing.
+beyond; r is the room that it is to keep. The reach is less than the pair's distance in each frame that must
+be met exactly: there it pushes nothing.
 """
 
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ from starskel.arrays import Complex, Floats, Indices
 from starskel.blending.certified.contacts import Distances, contacts, contacts_within
 from starskel.blending.certified.room import Room
 
-REACH = 0.05
+LONGEST_REACH = 0.05
 """The largest distance at which pairs push each other apart, as a part of the size."""
 
 SPARSE = 200
@@ -24,22 +24,22 @@ SPARSE = 200
 SOON = 1.5
 """Pairs nearer than this multiple of their reach may get into it while a frame moves."""
 
-SHARE = 0.7
+REACH_SHARE = 0.7
 """The reach of a pair, as a part of its distance in frames that must be met."""
 
-AMPLE = 2.0
+ROOM_FACTOR = 2.0
 """The room that pairs are kept from by the barrier, as a multiple of what is asked of links."""
 
-HALF = 0.5
-"""It is no more than this part of the reach."""
+MOST_ROOM = 0.5
+"""The same, as a part of the reach, at most."""
 
-LEAST = 1e-3
+LEAST_LEFT = 1e-3
 """Where a pair has no room left, this part of its distance counts as left."""
 
 
 def reach_of(n: int, size: float) -> float:
     """Give the largest reach in frames of n vertices."""
-    return REACH * size * float(min(1.0, np.sqrt(SPARSE / n)))
+    return LONGEST_REACH * size * float(min(1.0, np.sqrt(SPARSE / n)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,12 +75,14 @@ class Barrier:
             What is to be kept; without, pairs may come as near as they like.
         """
         vertex, edge, found = contacts_within(frame, SOON * most)
-        reach = np.minimum(most, SHARE * met.at(vertex, edge))
+        reach = np.minimum(most, REACH_SHARE * met.at(vertex, edge))
         soon = found.distance < SOON * reach
         vertex, edge, reach = vertex[soon], edge[soon], reach[soon]
         if room is None:
             return cls(vertex, edge, reach, np.zeros(len(reach)))
-        return cls(vertex, edge, reach, np.minimum(AMPLE * room.floors(vertex, edge), reach * HALF))
+        return cls(
+            vertex, edge, reach, np.minimum(ROOM_FACTOR * room.floors(vertex, edge), reach * MOST_ROOM)
+        )
 
     def energy(self, frame: Complex) -> float:
         """Give half the sum of squared logarithms."""
@@ -98,7 +100,7 @@ class Barrier:
         near = np.flatnonzero(found.distance < self.reach)
         distance, direction, share = found.distance[near], found.direction[near], found.share[near]
         vertex, edge, room = self.vertex[near], self.edge[near], self.room[near]
-        beyond = np.maximum(distance - room, LEAST * distance)
+        beyond = np.maximum(distance - room, LEAST_LEFT * distance)
         columns = np.stack([vertex, edge, (edge + 1) % n], axis=1)
         parts = np.stack([np.ones(len(near)), share - 1, -share], axis=1)
         return Linear(np.log(beyond / (self.reach[near] - room)), columns, parts, direction / beyond)

@@ -9,7 +9,7 @@ from scipy.sparse import csc_array
 from scipy.sparse.linalg import splu
 
 from starskel.arrays import Complex, Floats
-from starskel.blending.certified.barrier import SHARE, Barrier, Linear, reach_of
+from starskel.blending.certified.barrier import REACH_SHARE, Barrier, Linear, reach_of
 from starskel.blending.certified.contacts import Distances
 from starskel.blending.certified.metric import Form, Metric
 from starskel.blending.certified.room import Room
@@ -44,7 +44,7 @@ class Field:
     def of(cls, metric: Metric, ends: tuple[Complex, ...]) -> "Field":
         """Let nothing push in the source and in the target."""
         n = len(ends[0])
-        return cls(metric, Distances.of(ends, n, reach_of(n, metric.size) / SHARE))
+        return cls(metric, Distances.of(ends, n, reach_of(n, metric.size) / REACH_SHARE))
 
     def meeting(self, *frames: Floats) -> "Field":
         """Give the same where nothing pushes in these frames, either."""

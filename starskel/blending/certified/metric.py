@@ -16,7 +16,7 @@ from starskel.task import Task
 ON_RING = 3.0
 """How much more the edges of the outline count than those inside."""
 
-SHORTEST = 1e-3
+SHORTEST_EDGE = 1e-3
 """Edges shorter than this part of the size count as so long."""
 
 HELD = 1e-2
@@ -92,7 +92,7 @@ def metric_of(decomposition: Decomposition, size: float, task: Task) -> Metric:
     i, j = np.unique(ends, axis=0).T
     lengths = sum(np.abs(z[i] - z[j]) for z in (as_complex(fans.source), as_complex(fans.target))) / 2
     on_ring = (j < n) & ((j - i == 1) | (j - i == n - 1))
-    weights = np.where(on_ring, ON_RING, 1.0) / np.maximum(lengths, SHORTEST * size) ** 2
+    weights = np.where(on_ring, ON_RING, 1.0) / np.maximum(lengths, SHORTEST_EDGE * size) ** 2
     incidence = _incidence(i, j, m)
     held = np.where(np.arange(m) < n, HELD / size**2, 0.0)
     whole = sparse.csc_array(incidence.T @ sparse.diags_array(weights) @ incidence + sparse.diags_array(held))

@@ -22,7 +22,7 @@ from starskel.task import Task
 WORK, MORE_WORK = 330_000, 140_000
 """What following may cost with room kept, and then without, before morphing; in vertices of frames."""
 
-AMPLE = 5e-3
+AMPLE_ROOM = 5e-3
 """Repairs are widened where they keep less room than this, as a part of the size."""
 
 
@@ -76,7 +76,7 @@ def path(decomposition: Decomposition, guide: Guide, task: Task) -> tuple[Chain,
         chains = narrowed(chains, morphing, MORPHED_MARGINS, task.part(0.55, 0.9))
     keys = chains[0]
     if field and way is Way.REPAIRED and len(chains) == 1:  # where only a morph leads, nothing widens
-        ample = Room.of(ends, AMPLE * size)
+        ample = Room.of(ends, AMPLE_ROOM * size)
         keys = Relaxing(guide, field, ample, ample)(keys, task.part(0.9, 1))
     if len(chains) > 1 or not proven(keys, task.part(1, 1)):
         raise StarskelError(

@@ -7,7 +7,7 @@ from app.model import arranging
 from app.model.document import Document
 from app.model.history import History
 from app.model.marks import Marks
-from app.model.sequence import SHORTEST, Sequence, lost_marks
+from app.model.sequence import SHORTEST_DURATION, Sequence, lost_marks
 from starskel.easing import Easing
 from starskel.errors import InvalidMarks, StarskelError
 from starskel.files.key_shape import KeyShape
@@ -137,7 +137,7 @@ def test_times_follow_from_the_durations(four: Document) -> None:
     assert longer.sequence.times == (0, 5 / 8, 7 / 8, 1)
     assert longer.step == four.step
     with pytest.raises(StarskelError):
-        arranging.set_duration(four, 0, SHORTEST / 2)
+        arranging.set_duration(four, 0, SHORTEST_DURATION / 2)
 
 
 def test_two_shapes_are_a_sequence_of_one_step() -> None:

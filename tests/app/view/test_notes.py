@@ -4,7 +4,7 @@ import shapely
 from PySide6.QtCore import QPointF, QRectF
 
 from app.tools.toolbox import TOOLS
-from app.view.canvas.notes import CLEARANCE, Shown, how_to_draw, notice_box
+from app.view.canvas.notes import NOTICE_MARGIN, Shown, how_to_draw, notice_box
 from tests.app.driver import Driver
 from tests.families import subdivided
 
@@ -17,7 +17,7 @@ def test_a_notice_is_beside_what_it_is_about() -> None:
     concerned = [QPointF(100, 200), QPointF(300, 200)]
     box = notice_box(200, 50, ROOM, Shown(concerned, ring=RING))
     assert ROOM.contains(box)
-    kept = box.adjusted(-CLEARANCE, -CLEARANCE, CLEARANCE, CLEARANCE)
+    kept = box.adjusted(-NOTICE_MARGIN, -NOTICE_MARGIN, NOTICE_MARGIN, NOTICE_MARGIN)
     assert not any(kept.contains(place) for place in concerned)
     assert box.center().y() < 200  # above, where it hides nothing of the shape
     assert abs(box.center().x() - 200) <= 100

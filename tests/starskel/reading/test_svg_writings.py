@@ -11,8 +11,8 @@ from starskel.reading.curves import flattened
 from starskel.reading.readers import read_content
 from starskel.shapes.shape import Shape
 
-REACH = 0.5522847498
-QUARTER = np.array([(1.0, 0.0), (1.0, REACH), (REACH, 1.0), (0.0, 1.0)])
+QUARTER_HANDLE = 0.5522847498
+QUARTER = np.array([(1.0, 0.0), (1.0, QUARTER_HANDLE), (QUARTER_HANDLE, 1.0), (0.0, 1.0)])
 
 
 def ring_of(svg):
