@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from app.compute import USUAL_METHODS, Blends, Morphs, Proposal, Trace, subjects_of, trace_of
+from app.compute import USUAL_METHODS, Blends, MatchedVertex, Morphs, Proposal, matched_vertex, subjects_of
 from app.model.document import Document
 from app.model.filing import Filed, document_of, project_of
 from app.model.history import History
@@ -117,13 +117,13 @@ class Session(QObject):
         return self.history.redoes
 
     @property
-    def trace(self) -> Trace | None:
+    def matched_vertex(self) -> MatchedVertex | None:
         """What is known of the vertex pointed at: its partner, and its row in all blends."""
         results = self.blends.fresh
         if self.pointed is None or not results:
             return None
         link = self.document.link
-        return trace_of(results[0].pairs[link], *self.pointed) if link < len(results[0].pairs) else None
+        return matched_vertex(results[0].pairs[link], *self.pointed) if link < len(results[0].pairs) else None
 
     def overlay(self, side: Side) -> Overlay:
         """Give what the tool shows on a canvas."""

@@ -2,9 +2,9 @@
 
 from app.compute.blends import USUAL_METHODS, Blends
 from app.compute.computer import Computer
+from app.compute.matched_vertex import MatchedVertex, matched_vertex
 from app.compute.morphs import Morphs
 from app.compute.request import Failure, MethodState, Proposal, Request, Result, Subject, subjects_of
-from app.compute.trace import Trace, trace_of
 from starskel.blending import STEERED
 
 __all__ = [
@@ -13,13 +13,13 @@ __all__ = [
     "Blends",
     "Computer",
     "Failure",
+    "MatchedVertex",
     "MethodState",
     "Morphs",
     "Proposal",
     "Request",
     "Result",
     "Subject",
-    "Trace",
+    "matched_vertex",
     "subjects_of",
-    "trace_of",
 ]

@@ -1,6 +1,6 @@
-"""Pictures carried by blends, computed beside the window: for each panel the newest wish, one after another.
+"""Pictures carried by blends, computed beside the window: for each panel the newest request, one by one.
 
-Wishes come with every tick of the clock, more of them than can be fulfilled. Each panel has at most one that
+Requests come with every tick of the clock, more of them than can be met. Each panel has at most one that
 waits; a newer one takes its place. What is prepared for a blend is kept while it is shown.
 """
 
@@ -53,7 +53,7 @@ class Carried:
 
 
 @dataclass(frozen=True, eq=False)
-class Wish:
+class MorphRequest:
     """What a panel wants to show.
 
     Attributes
@@ -82,15 +82,15 @@ class Wish:
 
 
 @dataclass(frozen=True, eq=False)
-class Shown:
-    """A wish fulfilled: its pixels, (h, w, 4), premultiplied; None where the pictures cannot be read."""
+class PaintedMorph:
+    """A request fulfilled: its pixels, (h, w, 4), premultiplied; None where the pictures cannot be read."""
 
-    wish: Wish
+    request: MorphRequest
     pixels: NDArray[np.uint8] | None
 
 
 class _Painter(QObject):
-    """Fulfils wishes, in its own thread."""
+    """Fulfils requests, in its own thread."""
 
     done = Signal(object)
 
@@ -104,26 +104,31 @@ class _Painter(QObject):
 
     @Slot(object)
     @freeing_factors()
-    def fulfil(self, wish: Wish) -> None:
+    def fulfil(self, request: MorphRequest) -> None:
         try:
-            morph = self._morph(wish)
-            quality: Quality = "precise" if wish.careful else "preview"
+            morph = self._morph(request)
+            quality: Quality = "precise" if request.careful else "preview"
             pixels = morph.at(
-                wish.t, wish.size, wish.view, quality=quality, premultiplied=True, hidden=wish.hidden
+                request.t,
+                request.size,
+                request.view,
+                quality=quality,
+                premultiplied=True,
+                hidden=request.hidden,
             )
         except Cancelled:
             self.done.emit(None)
         except StarskelError:
-            self.done.emit(Shown(wish, None))
+            self.done.emit(PaintedMorph(request, None))
         except BaseException:
-            self.done.emit(Shown(wish, None))  # the next wish has its turn, and the fault its report
+            self.done.emit(PaintedMorph(request, None))  # the next has its turn, and the fault its report
             raise
         else:
-            self.done.emit(Shown(wish, pixels))
+            self.done.emit(PaintedMorph(request, pixels))
 
-    def _morph(self, wish: Wish) -> "ImageMorph":
+    def _morph(self, request: MorphRequest) -> "ImageMorph":
         """Give what carries the pictures; it is loaded here, so that the window opens sooner."""
-        carried = wish.carried
+        carried = request.carried
         key = carried.blend, carried.source, carried.target
         if key not in self._prepared:
             made = import_module("starskel.images.morph").ImageMorph(
@@ -131,7 +136,7 @@ class _Painter(QObject):
                 *(self._placed(picture) for picture in (carried.source, carried.target)),
                 decomposition=carried.decomposition,
                 solid=SOLID,
-                should_stop=lambda: not self._is_wanted(wish),
+                should_stop=lambda: not self._is_wanted(request),
             )
             self._prepared[key] = made
             while len(self._prepared) > KEPT:
@@ -139,9 +144,9 @@ class _Painter(QObject):
         self._prepared.move_to_end(key)
         return self._prepared[key]
 
-    def _is_wanted(self, wish: Wish) -> bool:
-        wanted = self.wanted.get(wish.panel)
-        return wanted is not None and wanted.same(wish.carried)
+    def _is_wanted(self, request: MorphRequest) -> bool:
+        wanted = self.wanted.get(request.panel)
+        return wanted is not None and wanted.same(request.carried)
 
     def _placed(self, picture: Picture | None) -> object:
         if picture is None:
@@ -150,7 +155,7 @@ class _Painter(QObject):
 
 
 class Morphs(QObject):
-    """The window's end: takes wishes, passes on what was painted.
+    """The window's end: takes requests, passes on what was painted.
 
     Attributes
     ----------
@@ -158,13 +163,13 @@ class Morphs(QObject):
         Whether a picture is being painted.
     """
 
-    shown = Signal(object)
-    """A `Shown`."""
+    painted = Signal(object)
+    """A `PaintedMorph`."""
     _asked = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._waiting: dict[str, Wish] = {}
+        self._waiting: dict[str, MorphRequest] = {}
         self.busy = False
         self._painter = _Painter()
         self._thread = thread_named("pictures", self)
@@ -172,10 +177,10 @@ class Morphs(QObject):
         self._asked.connect(self._painter.fulfil)
         self._painter.done.connect(self._take)
 
-    def wish(self, wish: Wish) -> None:
-        """Paint this as soon as the others have had their turn; of each panel only the newest wish counts."""
-        self._painter.wanted[wish.panel] = wish.carried
-        self._waiting[wish.panel] = wish
+    def paint(self, request: MorphRequest) -> None:
+        """Paint this as soon as the others have had their turn; of each panel only the newest one counts."""
+        self._painter.wanted[request.panel] = request.carried
+        self._waiting[request.panel] = request
         self._go_on()
 
     def close(self) -> None:
@@ -186,10 +191,10 @@ class Morphs(QObject):
         self._thread.wait()
 
     @Slot(object)
-    def _take(self, shown: Shown | None) -> None:
+    def _take(self, painted: PaintedMorph | None) -> None:
         self.busy = False
-        if shown is not None:
-            self.shown.emit(shown)
+        if painted is not None:
+            self.painted.emit(painted)
         self._go_on()
 
     def _go_on(self) -> None:
@@ -201,6 +206,6 @@ class Morphs(QObject):
         self._asked.emit(self._waiting.pop(next(iter(self._waiting))))
 
 
-def finer(wish: Wish) -> Wish:
-    """Give the wish for the same, as good as can be."""
-    return replace(wish, careful=True)
+def finer(request: MorphRequest) -> MorphRequest:
+    """Give the request for the same, as good as can be."""
+    return replace(request, careful=True)

@@ -93,7 +93,7 @@ class Request:
 
 @dataclass(frozen=True)
 class Proposal:
-    """A wish for suggested marks, at most so many."""
+    """A request for suggested marks, at most so many."""
 
     source: Polygon
     target: Polygon

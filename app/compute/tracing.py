@@ -17,7 +17,7 @@ LEVEL = 0.5
 
 
 @dataclass(frozen=True)
-class Wish:
+class TraceSettings:
     """What is to be traced, and how much of it.
 
     Attributes
@@ -61,7 +61,7 @@ class Tracer:
         self._picture = picture
         self._placed: PlacedImage | None = None
 
-    def trace(self, wish: Wish, task: Task) -> Traced:
+    def trace(self, settings: TraceSettings, task: Task) -> Traced:
         """Trace the picture.
 
         Raises
@@ -76,8 +76,10 @@ class Tracer:
         assert self._placed is not None
         task.reach(0)
         tracing = import_module("starskel.images.tracing")
-        by = wish.by or tracing.usual(self._placed.pixels, wish.level)
-        parts = "all" if wish.several else "largest"
-        found = tracing.trace(self._placed, by, wish.level, wish.tolerance, parts=parts, holes=wish.holes)
+        by = settings.by or tracing.usual(self._placed.pixels, settings.level)
+        parts = "all" if settings.several else "largest"
+        found = tracing.trace(
+            self._placed, by, settings.level, settings.tolerance, parts=parts, holes=settings.holes
+        )
         task.reach(1)
         return Traced(found, by)

@@ -56,15 +56,15 @@ def paint_growth(stage: Stage) -> None:
 
 def paint_trace(stage: Stage) -> None:
     """Show the partner of the vertex pointed at, and the way from the one to the other."""
-    trace, pointed = stage.session.trace, stage.session.pointed
-    if trace is None or pointed is None:
+    matched, pointed = stage.session.matched_vertex, stage.session.pointed
+    if matched is None or pointed is None:
         return
-    way = stage.session.blends.fresh[0].samples[stage.document.link][:, trace.row]
+    way = stage.session.blends.fresh[0].samples[stage.document.link][:, matched.row]
     paint_way(stage.painter, stage.theme, stage.camera.to_screen(way))
     stage.painter.setPen(pen(stage.theme.accent, 2.5))
     stage.painter.setBrush(QColor(stage.theme.base))
-    place = stage.on_screen(trace.place(stage.side))
-    if trace.vertex(stage.side) is None:  # it has no vertex here: the correspondence inserts one
+    place = stage.on_screen(matched.place(stage.side))
+    if matched.vertex(stage.side) is None:  # it has no vertex here: the correspondence inserts one
         stage.painter.drawPolygon([place + step for step in DIAMOND])
     else:
         stage.painter.drawEllipse(place, 7.5, 7.5)

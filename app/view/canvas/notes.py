@@ -79,7 +79,7 @@ def paint_invitation(painter: QPainter, theme: Theme, frame: QRectF, heading: st
 
 
 @dataclass(frozen=True, eq=False)
-class Shown:
+class KeptClear:
     """What a notice must not hide.
 
     Attributes
@@ -97,10 +97,10 @@ class Shown:
     ring: Floats = field(default_factory=lambda: np.empty((0, 2)))
 
 
-def paint_notice(painter: QPainter, theme: Theme, frame: QRectF, text: str, shown: Shown) -> None:
+def paint_notice(painter: QPainter, theme: Theme, frame: QRectF, text: str, clear: KeptClear) -> None:
     """Write why something was refused, beside what it is about."""
     size = _notice_size(painter, frame, text)
-    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET), shown)
+    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET), clear)
     _paint_plate(painter, theme, box, theme.refused)
     cross_at(painter, QPointF(box.left() + 16, box.center().y()), QColor(theme.refused), 4.5)
     painter.setPen(QColor(theme.text))
@@ -110,7 +110,7 @@ def paint_notice(painter: QPainter, theme: Theme, frame: QRectF, text: str, show
 def paint_news(painter: QPainter, theme: Theme, frame: QRectF, text: str, clear: list[QPointF]) -> None:
     """Write what an edit brought with it, near to places that stay clear where there is room."""
     size = _notice_size(painter, frame, text)
-    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET), Shown(clear))
+    box = notice_box(*size, frame.adjusted(INSET, 36, -INSET, -INSET), KeptClear(clear))
     _paint_plate(painter, theme, box, theme.accent)
     painter.setPen(QColor(theme.text))
     painter.drawText(box.adjusted(32, 0, -10, 0), NOTICE_FLAGS, text)
@@ -132,7 +132,7 @@ def _paint_plate(painter: QPainter, theme: Theme, box: QRectF, edge: str) -> Non
     painter.drawRoundedRect(box, 5, 5)
 
 
-def notice_box(width: float, height: float, room: QRectF, shown: Shown) -> QRectF:
+def notice_box(width: float, height: float, room: QRectF, clear: KeptClear) -> QRectF:
     """Give the box in the room that is near to what it is about, hides none of it and little of the shape.
 
     Where there is no such box, or nothing to be near to, it lies on the lower edge.
@@ -140,12 +140,12 @@ def notice_box(width: float, height: float, room: QRectF, shown: Shown) -> QRect
     lefts = np.linspace(room.left(), max(room.right() - width, room.left()), 12)
     tops = np.linspace(room.top(), max(room.bottom() - height, room.top()), 12)
     boxes = [QRectF(x, y, width, height) for x in lefts.tolist() for y in tops.tolist()]
-    beside = [box for box in boxes if not any(_near(box).contains(place) for place in shown.concerned)]
-    free = [box for box in beside if not any(box.intersects(label) for label in shown.labels)] or beside
-    if not free or not shown.concerned:
+    beside = [box for box in boxes if not any(_near(box).contains(place) for place in clear.concerned)]
+    free = [box for box in beside if not any(box.intersects(label) for label in clear.labels)] or beside
+    if not free or not clear.concerned:
         return QRectF(room.left(), room.bottom() - height, width, height)
-    ways = [_distance(box, shown.concerned) for box in free]
-    return free[int(np.argmin(ways + VEIL * _covered(free, shown.ring)))]
+    ways = [_distance(box, clear.concerned) for box in free]
+    return free[int(np.argmin(ways + VEIL * _covered(free, clear.ring)))]
 
 
 def _distance(box: QRectF, places: Sequence[QPointF]) -> float:

@@ -5,7 +5,7 @@ from PySide6.QtGui import QColor
 
 from app.model.marks import end, mark_at
 from app.view.canvas.markings import away
-from app.view.canvas.notes import Shown, paint_notice
+from app.view.canvas.notes import KeptClear, paint_notice
 from app.view.canvas.stage import Stage
 from app.view.painting.drawing import pen, point_of
 from app.view.painting.pins import Pin, cross_at, paint_pins
@@ -33,8 +33,8 @@ def paint_refusal(stage: Stage, labels: list[QRectF]) -> None:
         cross_at(stage.painter, places[-1], red)
     places += [point_of(stage.screen[vertex]) for vertex in vertices]
     reason = words.reason(refusal.error, stage.document)
-    shown = Shown(places, labels, stage.screen)
-    paint_notice(stage.painter, stage.theme, stage.frame, reason, shown)
+    clear = KeptClear(places, labels, stage.screen)
+    paint_notice(stage.painter, stage.theme, stage.frame, reason, clear)
 
 
 def _paint_refused_pin(stage: Stage, vertex: int) -> None:

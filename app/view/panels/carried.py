@@ -4,7 +4,7 @@ import numpy as np
 from PySide6.QtCore import QObject, QRectF, QSize, Signal, Slot
 from PySide6.QtGui import QImage, QPainter
 
-from app.compute.morphs import Carried, Shown, Wish, finer
+from app.compute.morphs import Carried, MorphRequest, PaintedMorph, finer
 from app.compute.request import Result
 from app.model import parts
 from app.session import Session
@@ -28,37 +28,37 @@ class CarriedPictures(QObject):
         self._session = session
         self._player = player
         self._carried: Carried | None = None
-        self._shown: Shown | None = None
+        self._painted: PaintedMorph | None = None
         self._image: QImage | None = None
-        session.morphs.shown.connect(self._take)
+        session.morphs.painted.connect(self._take)
         player.playing_changed.connect(self._settle)
 
     def ask(self, result: Result | None, camera: Camera, size: QSize, ratio: float) -> None:
         """Want the pictures of a blend as a camera sees them now; nothing where there are none."""
         carried = self._carry(result)
         if carried is None or result is None or size.isEmpty():
-            self._carried = self._shown = self._image = None
+            self._carried = self._painted = self._image = None
             return
         if self._carried is not None and self._carried.blend.pair is not carried.blend.pair:
-            self._shown = self._image = None  # what is left of an improved blend may stay for a moment
+            self._painted = self._image = None  # what is left of an improved blend may stay for a moment
         self._carried = carried
         pixels = round(size.width() * ratio), round(size.height() * ratio)
         looks = enumerate(parts.looks(self._session.document))
         hidden = tuple(number for number, look in looks if not look.visible)
-        seen = camera.seen
-        wish = Wish(result.method, carried, self._player.t, pixels, (*seen.low, *seen.high), hidden)
-        self._session.morphs.wish(wish)
+        view = (*camera.seen.low, *camera.seen.high)
+        request = MorphRequest(result.method, carried, self._player.t, pixels, view, hidden)
+        self._session.morphs.paint(request)
 
     @property
     def t(self) -> float | None:
         """The moment of the pictures that there are to show, None where there are none."""
-        return None if self._image is None or self._shown is None else self._shown.wish.t
+        return None if self._image is None or self._painted is None else self._painted.request.t
 
     def paint(self, painter: QPainter, camera: Camera) -> None:
         """Paint them where a camera sees them, which may have moved since."""
-        if self._image is None or self._shown is None:
+        if self._image is None or self._painted is None:
             return
-        left, bottom, right, top = self._shown.wish.view
+        left, bottom, right, top = self._painted.request.view
         (x, y), scale = camera.to_screen(np.array([left, top])).tolist(), camera.scale
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
         painter.drawImage(QRectF(x, y, (right - left) * scale, (top - bottom) * scale), self._image)
@@ -80,22 +80,22 @@ class CarriedPictures(QObject):
         return None
 
     @Slot(object)
-    def _take(self, shown: Shown) -> None:
-        if self._carried is None or not shown.wish.carried.same(self._carried):
+    def _take(self, painted: PaintedMorph) -> None:
+        if self._carried is None or not painted.request.carried.same(self._carried):
             return
-        self._shown = shown
+        self._painted = painted
         self._image = None
-        if shown.pixels is not None:
-            height, width = shown.pixels.shape[:2]
+        if painted.pixels is not None:
+            height, width = painted.pixels.shape[:2]
             kind = QImage.Format.Format_RGBA8888_Premultiplied
-            self._image = QImage(shown.pixels.data, width, height, 4 * width, kind)
+            self._image = QImage(painted.pixels.data, width, height, 4 * width, kind)
         self.changed.emit()
         self._settle()
 
     @Slot()
     def _settle(self) -> None:
         """Have what stands still painted with care."""
-        shown = self._shown
-        still = not self._player.playing and shown is not None and not shown.wish.careful
-        if still and shown is not None and shown.wish.t == self._player.t:
-            self._session.morphs.wish(finer(shown.wish))
+        painted = self._painted
+        still = not self._player.playing and painted is not None and not painted.request.careful
+        if still and painted is not None and painted.request.t == self._player.t:
+            self._session.morphs.paint(finer(painted.request))

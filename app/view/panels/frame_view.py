@@ -175,8 +175,8 @@ class FrameView(QWidget):
                 frame.paint_ground(result, t, looks)
                 self._pictures.paint(painter, self.camera)
             frame.paint(result, t, looks, stale=self._state.stale, pictured=pictured)
-            if (trace := self._session.trace) is not None and not self._state.stale:
-                frame.paint_trace(result, t, self._session.document.link, trace.row)
+            if (matched := self._session.matched_vertex) is not None and not self._state.stale:
+                frame.paint_trace(result, t, self._session.document.link, matched.row)
         if self.message:
             painter.setPen(QColor(theme.muted))
             room = QRectF(self.rect()).adjusted(14, 10, -14, -10)

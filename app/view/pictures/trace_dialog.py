@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.compute.errands import Errands, Outcome
-from app.compute.tracing import LEVEL, Traced, Tracer, Wish
+from app.compute.tracing import LEVEL, Traced, Tracer, TraceSettings
 from app.model.marks import Side
 from app.view.painting.pictures import image_of
 from app.view.painting.theme import theme_of
@@ -86,9 +86,9 @@ class TraceDialog(QDialog):
         self._trace()
 
     @property
-    def wish(self) -> Wish:
+    def settings(self) -> TraceSettings:
         """What is set."""
-        return Wish(
+        return TraceSettings(
             self._by.currentData(),
             self._level.value() / 100,
             FINEST * (COARSEST / FINEST) ** (self._tolerance.value() / STEPS),
@@ -152,10 +152,10 @@ class TraceDialog(QDialog):
 
     @Slot()
     def _trace(self) -> None:
-        wish = self.wish
+        settings = self.settings
         self._percent.setText(words.figure(f"{self._level.value()} %"))
-        self._pixels.setText(self.tr("{pixels} px").format(pixels=words.figure(f"{wish.tolerance:.1f}")))
-        self._errands.do(partial(self._tracer.trace, wish))
+        self._pixels.setText(self.tr("{pixels} px").format(pixels=words.figure(f"{settings.tolerance:.1f}")))
+        self._errands.do(partial(self._tracer.trace, settings))
 
     @Slot(object)
     def _take(self, outcome: Outcome) -> None:

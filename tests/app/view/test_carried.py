@@ -96,7 +96,7 @@ def test_a_picture_taken_away_leaves_the_other_one_alone(pictured: Driver) -> No
 
 def test_while_time_runs_ever_new_frames_come(pictured: Driver) -> None:
     moments: list[float] = []
-    pictured.session.morphs.shown.connect(lambda shown: moments.append(shown.wish.t))
+    pictured.session.morphs.painted.connect(lambda painted: moments.append(painted.request.t))
     pictured.window.player.to_start()
     pictured.window.player.play()
     pictured.wait(lambda: len(set(moments)) > 6)
@@ -117,7 +117,7 @@ def test_a_shape_that_is_changed_is_plain_until_its_pictures_are_there(pictured:
 def test_a_picture_that_cannot_be_read_leaves_frames_plain(driver: Driver) -> None:
     broken = Picture(b"no picture", (30, 30), (60, 60))
     told: list[object] = []
-    driver.session.morphs.shown.connect(told.append)
+    driver.session.morphs.painted.connect(told.append)
     driver.session.show_project(project(broken, None))
     driver.wait(lambda: bool(told))
     assert seen(driver, "stitched").green() > 100

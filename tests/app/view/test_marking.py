@@ -107,9 +107,9 @@ def test_a_vertex_hovered_over_shows_its_partner_and_its_way(squares: Driver) ->
     target, panel = squares.window.canvases["target"], squares.window.panels.panel("stitched").view
     plain = target.grab().toImage(), panel.grab().toImage()
     squares.hover("source", 10, 90)
-    trace = squares.session.trace
-    assert trace is not None
-    assert (trace.source_vertex, trace.target_vertex) == (3, 0)
+    matched = squares.session.matched_vertex
+    assert matched is not None
+    assert (matched.source_vertex, matched.target_vertex) == (3, 0)
     assert target.grab().toImage() != plain[0]
     assert panel.grab().toImage() != plain[1]
     squares.hover("source", 50, 50)

@@ -85,9 +85,9 @@ def test_the_row_points_at_its_vertices(table: Driver) -> None:
     table.wait_for_blends()
     type_in("up", "tab")
     assert table.session.pointed is not None
-    trace = table.session.trace
-    assert trace is not None
-    assert (trace.source_vertex, trace.target_vertex) == (0, 1)
+    matched = table.session.matched_vertex
+    assert matched is not None
+    assert (matched.source_vertex, matched.target_vertex) == (0, 1)
 
 
 def test_tab_leaves_the_table_at_its_end(table: Driver) -> None:

@@ -4,7 +4,7 @@ import shapely
 from PySide6.QtCore import QPointF, QRectF
 
 from app.tools.toolbox import TOOLS
-from app.view.canvas.notes import NOTICE_MARGIN, Shown, how_to_draw, notice_box
+from app.view.canvas.notes import NOTICE_MARGIN, KeptClear, how_to_draw, notice_box
 from tests.app.driver import Driver
 from tests.families import subdivided
 
@@ -15,7 +15,7 @@ RING = subdivided(CORNERS, 10)
 
 def test_a_notice_is_beside_what_it_is_about() -> None:
     concerned = [QPointF(100, 200), QPointF(300, 200)]
-    box = notice_box(200, 50, ROOM, Shown(concerned, ring=RING))
+    box = notice_box(200, 50, ROOM, KeptClear(concerned, ring=RING))
     assert ROOM.contains(box)
     kept = box.adjusted(-NOTICE_MARGIN, -NOTICE_MARGIN, NOTICE_MARGIN, NOTICE_MARGIN)
     assert not any(kept.contains(place) for place in concerned)
@@ -25,9 +25,9 @@ def test_a_notice_is_beside_what_it_is_about() -> None:
 
 def test_a_notice_hides_no_label_of_a_pin() -> None:
     concerned = [QPointF(100, 200), QPointF(300, 200)]
-    unhindered = notice_box(200, 50, ROOM, Shown(concerned, ring=RING))
+    unhindered = notice_box(200, 50, ROOM, KeptClear(concerned, ring=RING))
     label = QRectF(unhindered.center().x() - 15, unhindered.center().y() - 9, 30, 18)
-    box = notice_box(200, 50, ROOM, Shown(concerned, [label], RING))
+    box = notice_box(200, 50, ROOM, KeptClear(concerned, [label], RING))
     assert ROOM.contains(box)
     assert not box.intersects(label)
 
@@ -35,18 +35,18 @@ def test_a_notice_hides_no_label_of_a_pin() -> None:
 def test_a_notice_lies_beside_a_shape_that_has_no_vertices_under_it() -> None:
     """A large triangle: its inside is far from all its vertices."""
     triangle = np.array([(20.0, 60.0), (400.0, 60.0), (20.0, 330.0)])
-    box = notice_box(150, 40, ROOM, Shown([QPointF(210, 195)], ring=triangle))
+    box = notice_box(150, 40, ROOM, KeptClear([QPointF(210, 195)], ring=triangle))
     plate = shapely.box(box.left(), box.top(), box.right(), box.bottom())
     assert plate.intersection(shapely.Polygon(triangle)).area < 0.05 * plate.area
 
 
 def test_a_notice_about_nothing_lies_on_the_lower_edge() -> None:
-    assert notice_box(200, 50, ROOM, Shown(ring=RING)).bottom() == ROOM.bottom()
+    assert notice_box(200, 50, ROOM, KeptClear(ring=RING)).bottom() == ROOM.bottom()
 
 
 def test_a_notice_without_room_lies_on_the_lower_edge() -> None:
     small = QRectF(0, 0, 210, 60)
-    assert notice_box(200, 50, small, Shown([QPointF(100, 30)], ring=RING)).bottom() == small.bottom()
+    assert notice_box(200, 50, small, KeptClear([QPointF(100, 30)], ring=RING)).bottom() == small.bottom()
 
 
 @pytest.mark.parametrize("name", ["freehand", "rectangle", "text"])

@@ -10,7 +10,7 @@ from starskel import Correspondence
 
 
 @dataclass(frozen=True)
-class Trace:
+class MatchedVertex:
     """Two vertices that correspond.
 
     Attributes
@@ -38,7 +38,7 @@ class Trace:
         return self.source_vertex if side == "source" else self.target_vertex
 
 
-def trace_of(pair: Correspondence, side: Side, vertex: int) -> Trace | None:
+def matched_vertex(pair: Correspondence, side: Side, vertex: int) -> MatchedVertex | None:
     """Find a vertex of one side in a correspondence; None where it has no such vertex."""
     numbers = pair.source_vertices, pair.target_vertices
     rows = np.flatnonzero(numbers[side == "target"] == vertex)
@@ -47,4 +47,4 @@ def trace_of(pair: Correspondence, side: Side, vertex: int) -> Trace | None:
     row = int(rows[0])
     places = [(float(x), float(y)) for x, y in (pair.source[row], pair.target[row])]
     source, target = (int(own[row]) if own[row] >= 0 else None for own in numbers)
-    return Trace(row, places[0], places[1], source, target)
+    return MatchedVertex(row, places[0], places[1], source, target)
