@@ -17,8 +17,8 @@ from app.model.selection import Selection
 from app.tools.hand import Hand, Pointed
 from app.tools.marking import replace_marks
 from app.tools.refusal import Refusal
-from app.tools.settings import Settings
-from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Scene, Tool
+from app.tools.settings import ToolSettings
+from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Tool, ToolContext
 from starskel.files.disk import clear_leftovers
 from starskel.files.project import Project
 from starskel.files.project_file import read_project, write_project
@@ -82,7 +82,7 @@ class Session(QObject):
         return self.hand.selection
 
     @property
-    def settings(self) -> Settings:
+    def settings(self) -> ToolSettings:
         """What the user has set for the tools."""
         return self.hand.settings
 
@@ -163,7 +163,7 @@ class Session(QObject):
         else:
             self.tool_changed.emit()  # the tool chosen is not the one in hand
 
-    def set(self, settings: Settings) -> None:
+    def set(self, settings: ToolSettings) -> None:
         """Change settings of the tools; what was just made follows them."""
         if settings == self.settings:
             return
@@ -173,7 +173,7 @@ class Session(QObject):
         self._take(*taken)
         self.changed.emit()
 
-    def edit(self, verb: Callable[[Scene], Response]) -> None:
+    def edit(self, verb: Callable[[ToolContext], Response]) -> None:
         """Do what a verb answers, after the gesture under way is finished."""
         if self.finish():
             self._take(*self.hand.do(self.document, verb))

@@ -13,7 +13,7 @@ from app.model.point import Point
 from app.model.strokes import closed
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.outcome import drawn
-from app.tools.tool import Key, Overlay, Pointer, Response, Scene, Tool
+from app.tools.tool import Key, Overlay, Pointer, Response, Tool, ToolContext
 
 
 class Edit(Hashable, Protocol):
@@ -32,7 +32,7 @@ class Edit(Hashable, Protocol):
         """The line it was made from, to be shown beside it."""
         ...
 
-    def on(self, scene: Scene) -> Response:
+    def on(self, context: ToolContext) -> Response:
         """Do it to a document."""
         ...
 
@@ -64,10 +64,10 @@ class Sketch:
 
     options: ClassVar[str] = "freehand"
 
-    def on(self, scene: Scene) -> Response:
+    def on(self, context: ToolContext) -> Response:
         ring = closed(np.array(self.trail), BACK * self.pixel)
-        ring = ring[kept_vertices(ring, scene.settings.tolerance * self.pixel)]
-        return drawn(scene, self.side, ring, self.idle, QT_TRANSLATE_NOOP("Step", "Draw freehand"))
+        ring = ring[kept_vertices(ring, context.settings.tolerance * self.pixel)]
+        return drawn(context, self.side, ring, self.idle, QT_TRANSLATE_NOOP("Step", "Draw freehand"))
 
 
 @dataclass(frozen=True)
@@ -99,40 +99,40 @@ class Adjustable(Tool):
     def options(self) -> str:  # type: ignore[override] # a constant of other states
         return self.edit.options
 
-    def press(self, scene: Scene, pointer: Pointer) -> Response:
-        return self.then.press(scene, pointer)
+    def press(self, context: ToolContext, pointer: Pointer) -> Response:
+        return self.then.press(context, pointer)
 
-    def double_press(self, scene: Scene, pointer: Pointer) -> Response:
-        return self.then.double_press(scene, pointer)
+    def double_press(self, context: ToolContext, pointer: Pointer) -> Response:
+        return self.then.double_press(context, pointer)
 
-    def key(self, scene: Scene, key: Key) -> Response:
-        return self.then.key(scene, key)
+    def key(self, context: ToolContext, key: Key) -> Response:
+        return self.then.key(context, key)
 
-    def move(self, scene: Scene, pointer: Pointer) -> Response:
+    def move(self, context: ToolContext, pointer: Pointer) -> Response:
         """Stay: the pointer is on its way to the options."""
-        response = self.then.move(scene, pointer)
-        if scene.document != self.made:
+        response = self.then.move(context, pointer)
+        if context.document != self.made:
             return response
         return replace(response, tool=replace(self, then=response.tool))
 
-    def adjust(self, scene: Scene) -> Response:
-        if scene.document != self.made:
+    def adjust(self, context: ToolContext) -> Response:
+        if context.document != self.made:
             return Response(self.then)
-        return done(self.edit, replace(scene, document=self.before), self)
+        return done(self.edit, replace(context, document=self.before), self)
 
-    def overlay(self, scene: Scene, side: Side) -> Overlay:
-        overlay = self.then.overlay(scene, side)
-        if side != self.edit.side or scene.document != self.made or not self.edit.trail:
+    def overlay(self, context: ToolContext, side: Side) -> Overlay:
+        overlay = self.then.overlay(context, side)
+        if side != self.edit.side or context.document != self.made or not self.edit.trail:
             return overlay
         return replace(overlay, trail=np.array(self.edit.trail))
 
 
-def done(edit: Edit, scene: Scene, otherwise: Tool) -> Response:
+def done(edit: Edit, context: ToolContext, otherwise: Tool) -> Response:
     """Make an edit, to be adjusted afterwards; where it is refused the other state stays."""
-    response = edit.on(scene)
+    response = edit.on(context)
     if response.commit is None:
         return replace(response, tool=otherwise)
     commit = replace(response.commit, joins=edit)
     return replace(
-        response, tool=Adjustable(edit, scene.document, commit.document, response.tool), commit=commit
+        response, tool=Adjustable(edit, context.document, commit.document, response.tool), commit=commit
     )

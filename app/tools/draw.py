@@ -11,8 +11,8 @@ from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.outcome import drawn
 from app.tools.pick import distance
 from app.tools.refusal import Refusal, Segment
-from app.tools.snapping import begun_at, caught, ground_for_drawing
-from app.tools.tool import Catch, Key, Overlay, Pointer, Response, Scene, Tool
+from app.tools.snapping import begun_at, caught, targets_for_drawing
+from app.tools.tool import Catch, Key, Overlay, Pointer, Response, Tool, ToolContext
 from starskel.arrays import Floats
 from starskel.errors import InvalidPolygon, told
 from starskel.predicates import folds_back, segments_meet
@@ -30,14 +30,14 @@ class DrawTool(Tool):
         "Hint", "Click to set the first vertex. A part that is worked on makes way for the new one."
     )
 
-    def press(self, scene: Scene, pointer: Pointer) -> Response:
-        at = begun_at(scene, pointer).at
+    def press(self, context: ToolContext, pointer: Pointer) -> Response:
+        at = begun_at(context, pointer).at
         return Response(Drawing(pointer.side, (at,), Catch(at)))
 
-    def move(self, scene: Scene, pointer: Pointer) -> Response:
-        return Response(DrawTool(pointer.side, begun_at(scene, pointer)))
+    def move(self, context: ToolContext, pointer: Pointer) -> Response:
+        return Response(DrawTool(pointer.side, begun_at(context, pointer)))
 
-    def overlay(self, scene: Scene, side: Side) -> Overlay:
+    def overlay(self, context: ToolContext, side: Side) -> Overlay:
         return Overlay(catch=self.catch) if side == self.side else Overlay()
 
 
@@ -74,12 +74,12 @@ class Drawing(Tool):
         """Where the next vertex would be."""
         return self.catch.at
 
-    def press(self, scene: Scene, pointer: Pointer) -> Response:
+    def press(self, context: ToolContext, pointer: Pointer) -> Response:
         if pointer.side != self.side:
             return Response(self)
-        state = self._aimed(scene, pointer)
+        state = self._aimed(context, pointer)
         if state.closes:
-            return state._close(scene)
+            return state._close(context)
         if distance(self.points[-1], state.at) <= pointer.radius / 2:
             return Response(state)  # the second press of a double click is no new vertex
         refusal = state._refusal()
@@ -87,15 +87,15 @@ class Drawing(Tool):
             return Response(state, refusal=refusal)
         return Response(replace(state, points=(*self.points, state.at)))
 
-    def move(self, scene: Scene, pointer: Pointer) -> Response:
+    def move(self, context: ToolContext, pointer: Pointer) -> Response:
         if pointer.side != self.side:
             return Response(self)
-        state = self._aimed(scene, pointer)
+        state = self._aimed(context, pointer)
         return Response(state, refusal=state._refusal())
 
-    def key(self, scene: Scene, key: Key) -> Response:
+    def key(self, context: ToolContext, key: Key) -> Response:
         if key.name == "enter":
-            return self._close(scene)
+            return self._close(context)
         if key.name in ("backspace", "delete"):
             rest = self.points[:-1]
             return Response(replace(self, points=rest, closes=False) if rest else DrawTool())
@@ -104,22 +104,22 @@ class Drawing(Tool):
     def cancel(self) -> Tool:
         return DrawTool()
 
-    def finish(self, scene: Scene) -> Response:
+    def finish(self, context: ToolContext) -> Response:
         """Close what is a polygon already: it can be undone, while a path given up would be lost."""
-        return self._close(scene) if len(self.points) >= 3 else Response(self.cancel())
+        return self._close(context) if len(self.points) >= 3 else Response(self.cancel())
 
-    def overlay(self, scene: Scene, side: Side) -> Overlay:
+    def overlay(self, context: ToolContext, side: Side) -> Overlay:
         if side != self.side:
             return Overlay()
         return Overlay(path=(*self.points, self.at), closes=self.closes, catch=self.catch)
 
-    def _aimed(self, scene: Scene, pointer: Pointer) -> "Drawing":
+    def _aimed(self, context: ToolContext, pointer: Pointer) -> "Drawing":
         """Follow the pointer, caught by the first vertex where that would close a polygon."""
         closes = len(self.points) >= 3 and distance(self.points[0], pointer.at) <= pointer.radius
         if closes:
             return replace(self, catch=Catch(self.points[0]), closes=True)
-        ground = ground_for_drawing(scene.document, self.side, self.points)
-        return replace(self, catch=caught(pointer, scene.settings.snapping, ground), closes=False)
+        targets = targets_for_drawing(context.document, self.side, self.points)
+        return replace(self, catch=caught(pointer, context.settings.snapping, targets), closes=False)
 
     def _refusal(self) -> Refusal | None:
         path = np.array(self.points)
@@ -138,9 +138,9 @@ class Drawing(Tool):
     def _edge(self, first: int) -> Segment:
         return self.points[first], self.points[first + 1]
 
-    def _close(self, scene: Scene) -> Response:
+    def _close(self, context: ToolContext) -> Response:
         ring = np.array(self.points)
-        response = drawn(scene, self.side, ring, DrawTool(), QT_TRANSLATE_NOOP("Step", "Draw shape"))
+        response = drawn(context, self.side, ring, DrawTool(), QT_TRANSLATE_NOOP("Step", "Draw shape"))
         return response if response.refusal is None else replace(response, tool=self)
 
 

@@ -11,9 +11,9 @@ from app.model.point import Point
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.outcome import drawn
 from app.tools.pick import distance
-from app.tools.settings import Settings
-from app.tools.snapping import begun_at, caught, ground_for_drawing
-from app.tools.tool import Catch, Key, Overlay, Pointer, Response, Scene, Tool
+from app.tools.settings import ToolSettings
+from app.tools.snapping import begun_at, caught, targets_for_drawing
+from app.tools.tool import Catch, Key, Overlay, Pointer, Response, Tool, ToolContext
 from starskel.arrays import Floats
 
 
@@ -39,7 +39,7 @@ class Figure:
     step: str
     hint: str
     round: bool
-    ring: Callable[[Settings, Point, Point], Floats]
+    ring: Callable[[ToolSettings, Point, Point], Floats]
 
 
 FIGURES = (
@@ -98,14 +98,14 @@ class FigureTool(Tool):
     def hint(self) -> str:  # type: ignore[override] # as above
         return self.figure.hint
 
-    def press(self, scene: Scene, pointer: Pointer) -> Response:
-        catch = begun_at(scene, pointer)
+    def press(self, context: ToolContext, pointer: Pointer) -> Response:
+        catch = begun_at(context, pointer)
         return Response(Stretching(self, pointer.side, catch.at, Catch(catch.at)))
 
-    def move(self, scene: Scene, pointer: Pointer) -> Response:
-        return Response(replace(self, side=pointer.side, catch=begun_at(scene, pointer)))
+    def move(self, context: ToolContext, pointer: Pointer) -> Response:
+        return Response(replace(self, side=pointer.side, catch=begun_at(context, pointer)))
 
-    def overlay(self, scene: Scene, side: Side) -> Overlay:
+    def overlay(self, context: ToolContext, side: Side) -> Overlay:
         return Overlay(catch=self.catch) if side == self.side else Overlay()
 
 
@@ -126,38 +126,38 @@ class Stretching(Tool):
     def name(self) -> str:  # type: ignore[override] # as above
         return self.idle.name
 
-    def move(self, scene: Scene, pointer: Pointer) -> Response:
+    def move(self, context: ToolContext, pointer: Pointer) -> Response:
         if pointer.side != self.side:
             return Response(self)
-        catch = self._caught(scene, pointer)
+        catch = self._caught(context, pointer)
         width, height = abs(catch.at[0] - self.start[0]), abs(catch.at[1] - self.start[1])
         extent = hypot(width, height) if self.idle.figure.round else min(width, height)
         return Response(replace(self, catch=catch, opened=extent > pointer.radius / 3))
 
-    def release(self, scene: Scene, pointer: Pointer) -> Response:
+    def release(self, context: ToolContext, pointer: Pointer) -> Response:
         if not self.opened:  # a shaky click is no figure
             return Response(self.idle)
-        return drawn(scene, self.side, self._ring(scene), self.idle, self.idle.figure.step)
+        return drawn(context, self.side, self._ring(context), self.idle, self.idle.figure.step)
 
-    def key(self, scene: Scene, key: Key) -> Response:
+    def key(self, context: ToolContext, key: Key) -> Response:
         return Response(self.cancel() if key.name in ("backspace", "delete") else self)
 
     def cancel(self) -> Tool:
         return self.idle
 
-    def overlay(self, scene: Scene, side: Side) -> Overlay:
+    def overlay(self, context: ToolContext, side: Side) -> Overlay:
         if side != self.side or not self.opened:
             return Overlay()
-        return Overlay(figure=self._ring(scene), catch=self.catch, readout=(self.catch.at, self._readout()))
+        return Overlay(figure=self._ring(context), catch=self.catch, readout=(self.catch.at, self._readout()))
 
-    def _ring(self, scene: Scene) -> Floats:
-        return self.idle.figure.ring(scene.settings, self.start, self.catch.at)
+    def _ring(self, context: ToolContext) -> Floats:
+        return self.idle.figure.ring(context.settings, self.start, self.catch.at)
 
-    def _caught(self, scene: Scene, pointer: Pointer) -> Catch:
-        ground = ground_for_drawing(scene.document, self.side)
+    def _caught(self, context: ToolContext, pointer: Pointer) -> Catch:
+        targets = targets_for_drawing(context.document, self.side)
         if self.idle.figure.round:
-            return caught(pointer, scene.settings.snapping, replace(ground, origins=(self.start,)))
-        catch = caught(replace(pointer, shift=False), scene.settings.snapping, ground)
+            return caught(pointer, context.settings.snapping, replace(targets, origins=(self.start,)))
+        catch = caught(replace(pointer, shift=False), context.settings.snapping, targets)
         return Catch(_squared(self.start, catch.at)) if pointer.shift else catch
 
     def _readout(self) -> str:

@@ -10,7 +10,7 @@ from app.model.point import Point
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.adjust import Sketch, done
 from app.tools.pick import distance
-from app.tools.tool import Key, Overlay, Pointer, Response, Scene, Tool
+from app.tools.tool import Key, Overlay, Pointer, Response, Tool, ToolContext
 
 
 @dataclass(frozen=True)
@@ -32,13 +32,13 @@ class FreehandTool(Tool):
         "Press and draw the outline in one go; it closes itself. How closely it is followed is set above.",
     )
 
-    def press(self, scene: Scene, pointer: Pointer) -> Response:
+    def press(self, context: ToolContext, pointer: Pointer) -> Response:
         return Response(Sketching(pointer.side, (pointer.at,), pointer.pixel))
 
     def cancel(self) -> Tool:
         return FreehandTool()
 
-    def overlay(self, scene: Scene, side: Side) -> Overlay:
+    def overlay(self, context: ToolContext, side: Side) -> Overlay:
         return Overlay(trail=np.array(self.trail)) if side == self.side and self.trail else Overlay()
 
 
@@ -54,23 +54,23 @@ class Sketching(Tool):
     hint: ClassVar[str] = QT_TRANSLATE_NOOP("Hint", "Release to close the outline; Esc gives it up.")
     busy: ClassVar[bool] = True
 
-    def move(self, scene: Scene, pointer: Pointer) -> Response:
+    def move(self, context: ToolContext, pointer: Pointer) -> Response:
         if pointer.side != self.side or distance(self.points[-1], pointer.at) < self.pixel:
             return Response(self)
         return Response(replace(self, points=(*self.points, pointer.at)))
 
-    def release(self, scene: Scene, pointer: Pointer) -> Response:
+    def release(self, context: ToolContext, pointer: Pointer) -> Response:
         extent = np.ptp(np.array(self.points), axis=0).max()
         if len(self.points) < 3 or extent < pointer.radius:  # a click, or a dot
             return Response(FreehandTool())
         sketch = Sketch(self.side, self.points, self.pixel, FreehandTool())
-        return done(sketch, scene, FreehandTool(self.side, self.points))
+        return done(sketch, context, FreehandTool(self.side, self.points))
 
-    def key(self, scene: Scene, key: Key) -> Response:
+    def key(self, context: ToolContext, key: Key) -> Response:
         return Response(self.cancel() if key.name in ("backspace", "delete") else self)
 
     def cancel(self) -> Tool:
         return FreehandTool()
 
-    def overlay(self, scene: Scene, side: Side) -> Overlay:
+    def overlay(self, context: ToolContext, side: Side) -> Overlay:
         return Overlay(trail=np.array(self.points)) if side == self.side else Overlay()

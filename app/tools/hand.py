@@ -11,8 +11,8 @@ from app.model.selection import Selection, everything
 from app.tools.draw import DrawTool
 from app.tools.refusal import Refusal
 from app.tools.select import SelectTool
-from app.tools.settings import Settings
-from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Scene, Tool
+from app.tools.settings import ToolSettings
+from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Tool, ToolContext
 from app.tools.toolbox import TOOLS
 
 Pointed = tuple[Side, int]
@@ -30,7 +30,7 @@ class Hand:
         The state of the tool.
     selection : Selection
         The selected vertices.
-    settings : Settings
+    settings : ToolSettings
         What the user has set for the tools.
     refusal : Refusal or None
         The last edit that was not possible, until the next one is tried.
@@ -40,7 +40,7 @@ class Hand:
 
     tool: Tool = field(default_factory=SelectTool)
     selection: Selection = field(default_factory=Selection)
-    settings: Settings = field(default_factory=Settings)
+    settings: ToolSettings = field(default_factory=ToolSettings)
     refusal: Refusal | None = None
     news: News = NONE
 
@@ -54,13 +54,13 @@ class Hand:
         """Whether there is a gesture to give up, or something said to put away."""
         return self.busy or self.refusal is not None or bool(self.news)
 
-    def scene(self, document: Document) -> Scene:
+    def context(self, document: Document) -> ToolContext:
         """Give what the tool sees."""
-        return Scene(document, self.selection, self.settings)
+        return ToolContext(document, self.selection, self.settings)
 
     def overlay(self, document: Document, side: Side) -> Overlay:
         """Give what the tool shows on a canvas."""
-        return self.tool.overlay(self.scene(document), side)
+        return self.tool.overlay(self.context(document), side)
 
     def pointed(self, document: Document) -> Pointed | None:
         """Give the vertex that a press would take, None in a gesture."""
@@ -71,11 +71,11 @@ class Hand:
 
     def preview(self, document: Document, pointer: Pointer) -> Document | None:
         """Give what ending the gesture here would lead to, None where it would change nothing."""
-        return self.tool.preview(self.scene(document), pointer) if self.busy else None
+        return self.tool.preview(self.context(document), pointer) if self.busy else None
 
     def reach(self, document: Document, pointer: Pointer) -> int | None:
         """Give the part, other than the one worked on, that a press here would be about."""
-        return None if self.busy else self.tool.reach(self.scene(document), pointer)
+        return None if self.busy else self.tool.reach(self.context(document), pointer)
 
     # pointer and keys
 
@@ -83,22 +83,22 @@ class Hand:
         """Press; what is worked on is where the user is at work."""
         there = self.selection.side == pointer.side
         hand = self if there else replace(self, selection=Selection(pointer.side))
-        return hand.after(self.tool.press(hand.scene(document), pointer))
+        return hand.after(self.tool.press(hand.context(document), pointer))
 
     def double_press(self, document: Document, pointer: Pointer) -> Taken:
-        return self.after(self.tool.double_press(self.scene(document), pointer))
+        return self.after(self.tool.double_press(self.context(document), pointer))
 
     def move(self, document: Document, pointer: Pointer) -> Taken:
         """Move; a gesture shows at once what it may not do, and else the last refusal stays."""
-        response = self.tool.move(self.scene(document), pointer)
+        response = self.tool.move(self.context(document), pointer)
         return self.after(response if self.busy else replace(response, refusal=self.refusal))
 
     def release(self, document: Document, pointer: Pointer) -> Taken:
-        response = self.tool.release(self.scene(document), pointer)
+        response = self.tool.release(self.context(document), pointer)
         return self.after(replace(response, refusal=response.refusal or self.refusal))
 
     def key(self, document: Document, key: Key) -> Taken:
-        return self.after(self.tool.key(self.scene(document), key))
+        return self.after(self.tool.key(self.context(document), key))
 
     # commands
 
@@ -106,18 +106,18 @@ class Hand:
         """Take up a tool."""
         return self.after(Response(TOOLS[name]))[0]
 
-    def adjust(self, document: Document, settings: Settings) -> Taken:
+    def adjust(self, document: Document, settings: ToolSettings) -> Taken:
         """Change settings; what was just made follows them."""
         hand = replace(self, settings=settings)
-        return hand.after(hand.tool.adjust(hand.scene(document)))
+        return hand.after(hand.tool.adjust(hand.context(document)))
 
-    def do(self, document: Document, verb: Callable[[Scene], Response]) -> Taken:
+    def do(self, document: Document, verb: Callable[[ToolContext], Response]) -> Taken:
         """Do what a verb answers."""
-        return self.after(verb(self.scene(document)))
+        return self.after(verb(self.context(document)))
 
     def finish(self, document: Document) -> Taken:
         """End the gesture so that what was drawn is kept; where that is not possible it goes on."""
-        return self.after(self.tool.finish(self.scene(document))) if self.busy else (self, None)
+        return self.after(self.tool.finish(self.context(document))) if self.busy else (self, None)
 
     def cancel(self) -> "Hand":
         """Give up the gesture, or what was said, or the selection."""

@@ -7,28 +7,28 @@ from app.model.marks import Marks, Side
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.mark import MarkTool
 from app.tools.refusal import Refusal
-from app.tools.tool import Commit, Response, Scene
+from app.tools.tool import Commit, Response, ToolContext
 from starskel.errors import InvalidMarks
 
 
-def set_mark(scene: Scene, source: int, target: int) -> Response:
+def set_mark(context: ToolContext, source: int, target: int) -> Response:
     """Add a mark."""
-    return _tried(lambda: scene.document.mark(source, target), QT_TRANSLATE_NOOP("Step", "Set mark"))
+    return _tried(lambda: context.document.mark(source, target), QT_TRANSLATE_NOOP("Step", "Set mark"))
 
 
-def move_mark(scene: Scene, index: int, side: Side, vertex: int) -> Response:
+def move_mark(context: ToolContext, index: int, side: Side, vertex: int) -> Response:
     """Move one end of a mark to another vertex."""
-    return _tried(lambda: scene.document.repin(index, side, vertex), QT_TRANSLATE_NOOP("Step", "Move mark"))
+    return _tried(lambda: context.document.repin(index, side, vertex), QT_TRANSLATE_NOOP("Step", "Move mark"))
 
 
-def remove_mark(scene: Scene, index: int) -> Response:
+def remove_mark(context: ToolContext, index: int) -> Response:
     """Remove a mark."""
-    return _tried(lambda: scene.document.unmark(index), QT_TRANSLATE_NOOP("Step", "Remove mark"))
+    return _tried(lambda: context.document.unmark(index), QT_TRANSLATE_NOOP("Step", "Remove mark"))
 
 
-def replace_marks(scene: Scene, marks: Marks) -> Response:
+def replace_marks(context: ToolContext, marks: Marks) -> Response:
     """Replace all marks by those that suggest themselves."""
-    return _tried(lambda: scene.document.remark(marks), QT_TRANSLATE_NOOP("Step", "Suggest marks"))
+    return _tried(lambda: context.document.remark(marks), QT_TRANSLATE_NOOP("Step", "Suggest marks"))
 
 
 def _tried(verb: Callable[[], Document], name: str) -> Response:

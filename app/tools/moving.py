@@ -14,8 +14,8 @@ from app.tools.handles import CORNERS, TURN
 from app.tools.pick import distance
 from app.tools.refusal import refused_ring
 from app.tools.settings import Snapping
-from app.tools.snapping import CATCH_REACH, STEP, caught, ground_for_moving
-from app.tools.tool import Catch, Commit, Key, Overlay, Pointer, Response, Scene, Tool
+from app.tools.snapping import CATCH_REACH, STEP, caught, targets_for_moving
+from app.tools.tool import Catch, Commit, Key, Overlay, Pointer, Response, Tool, ToolContext
 from starskel.arrays import Floats
 from starskel.errors import StarskelError
 
@@ -55,48 +55,50 @@ class Dragging(Tool):
     )
     busy: ClassVar[bool] = True
 
-    def move(self, scene: Scene, pointer: Pointer) -> Response:
+    def move(self, context: ToolContext, pointer: Pointer) -> Response:
         if self.catch is None and distance(pointer.at, self.start.at) <= pointer.radius / 3:
             return Response(self)  # a shaky click is no drag
-        state = replace(self, catch=self._caught(scene, pointer))
-        return Response(state, refusal=state._tried(scene).refusal)
+        state = replace(self, catch=self._caught(context, pointer))
+        return Response(state, refusal=state._tried(context).refusal)
 
-    def release(self, scene: Scene, pointer: Pointer) -> Response:
+    def release(self, context: ToolContext, pointer: Pointer) -> Response:
         if self.catch is None:
             return Response(self.idle, selection=self.click)
-        return self._tried(scene)
+        return self._tried(context)
 
-    def key(self, scene: Scene, key: Key) -> Response:
+    def key(self, context: ToolContext, key: Key) -> Response:
         return Response(self.cancel() if key.name in ("backspace", "delete") else self)
 
     def cancel(self) -> Tool:
         return self.idle
 
-    def overlay(self, scene: Scene, side: Side) -> Overlay:
+    def overlay(self, context: ToolContext, side: Side) -> Overlay:
         if side != self.start.side or self.catch is None:
             return Overlay()
-        return Overlay(ring=self._ring(scene), vertex=self.vertex, catch=self.catch)
+        return Overlay(ring=self._ring(context), vertex=self.vertex, catch=self.catch)
 
-    def _held(self, scene: Scene) -> Point:
-        return as_point(scene.document.vertices(self.start.side)[self.vertex])
+    def _held(self, context: ToolContext) -> Point:
+        return as_point(context.document.vertices(self.start.side)[self.vertex])
 
-    def _caught(self, scene: Scene, pointer: Pointer) -> Catch:
-        side, held = self.start.side, self._held(scene)
+    def _caught(self, context: ToolContext, pointer: Pointer) -> Catch:
+        side, held = self.start.side, self._held(context)
         at = held[0] + pointer.at[0] - self.start.at[0], held[1] + pointer.at[1] - self.start.at[1]
-        ground = ground_for_moving(scene.document, side, self.vertices)
+        targets = targets_for_moving(context.document, side, self.vertices)
         if pointer.shift:
-            ground = replace(ground, origins=(held,))
-        return caught(replace(pointer, at=at), scene.settings.snapping, ground)
+            targets = replace(targets, origins=(held,))
+        return caught(replace(pointer, at=at), context.settings.snapping, targets)
 
-    def _ring(self, scene: Scene) -> Floats:
+    def _ring(self, context: ToolContext) -> Floats:
         assert self.catch is not None
-        held = self._held(scene)
+        held = self._held(context)
         offset = self.catch.at[0] - held[0], self.catch.at[1] - held[1]
-        return scene.document.moved(self.start.side, self.vertices, offset)
+        return context.document.moved(self.start.side, self.vertices, offset)
 
-    def _tried(self, scene: Scene) -> Response:
+    def _tried(self, context: ToolContext) -> Response:
         name = QT_TRANSLATE_NOOP("Step", "Move vertices")
-        return placed(scene, self.idle, Selection(self.start.side, self.vertices), self._ring(scene), name)
+        return placed(
+            context, self.idle, Selection(self.start.side, self.vertices), self._ring(context), name
+        )
 
 
 @dataclass(frozen=True)
@@ -132,63 +134,65 @@ class Transforming(Tool):
     )
     busy: ClassVar[bool] = True
 
-    def move(self, scene: Scene, pointer: Pointer) -> Response:
+    def move(self, context: ToolContext, pointer: Pointer) -> Response:
         state = replace(self, pointer=pointer)
-        return Response(state, refusal=state._tried(scene).refusal)
+        return Response(state, refusal=state._tried(context).refusal)
 
-    def release(self, scene: Scene, pointer: Pointer) -> Response:
-        return self._tried(scene) if self.pointer != self.start else Response(self.idle)
+    def release(self, context: ToolContext, pointer: Pointer) -> Response:
+        return self._tried(context) if self.pointer != self.start else Response(self.idle)
 
-    def key(self, scene: Scene, key: Key) -> Response:
+    def key(self, context: ToolContext, key: Key) -> Response:
         return Response(self.cancel() if key.name in ("backspace", "delete") else self)
 
     def cancel(self) -> Tool:
         return self.idle
 
-    def overlay(self, scene: Scene, side: Side) -> Overlay:
+    def overlay(self, context: ToolContext, side: Side) -> Overlay:
         if side != self.start.side:
             return Overlay()
-        ring = self._ring(scene)
+        ring = self._ring(context)
         if self.handle == TURN:
-            return Overlay(ring=ring, readout=(self.pointer.at, f"{degrees(self._angle(scene)):.4g}°"))
-        box, catch = box_of(ring[sorted(self.vertices)]), self._catch(scene)
+            return Overlay(ring=ring, readout=(self.pointer.at, f"{degrees(self._angle(context)):.4g}°"))
+        box, catch = box_of(ring[sorted(self.vertices)]), self._catch(context)
         width, height = box.size
         readout = (self.pointer.at, f"{width:.4g} × {height:.4g}")
         return Overlay(ring=ring, frame=box, catch=catch, readout=readout)
 
-    def _tried(self, scene: Scene) -> Response:
+    def _tried(self, context: ToolContext) -> Response:
         turns = self.handle == TURN
         name = QT_TRANSLATE_NOOP("Step", "Turn") if turns else QT_TRANSLATE_NOOP("Step", "Scale")
-        return placed(scene, self.idle, Selection(self.start.side, self.vertices), self._ring(scene), name)
+        return placed(
+            context, self.idle, Selection(self.start.side, self.vertices), self._ring(context), name
+        )
 
-    def _ring(self, scene: Scene) -> Floats:
-        ring = scene.document.vertices(self.start.side).copy()
+    def _ring(self, context: ToolContext) -> Floats:
+        ring = context.document.vertices(self.start.side).copy()
         rows = sorted(self.vertices)
         if self.handle == TURN:
-            ring[rows] = transforms.turned(ring[rows], self.box.middle, self._angle(scene))
+            ring[rows] = transforms.turned(ring[rows], self.box.middle, self._angle(context))
         else:
-            ring[rows] = transforms.scaled(ring[rows], self._fixed(), self._factors(scene))
+            ring[rows] = transforms.scaled(ring[rows], self._fixed(), self._factors(context))
         return ring
 
-    def _angle(self, scene: Scene) -> float:
-        return turned_by(self.start, self.pointer, self.box.middle, scene.settings.snapping)
+    def _angle(self, context: ToolContext) -> float:
+        return turned_by(self.start, self.pointer, self.box.middle, context.settings.snapping)
 
     def _fixed(self) -> Point:
         """Give the corner or the side that stays."""
         x, y = CORNERS[self.handle]
         return self.box.at(1 - x, 1 - y)
 
-    def _catch(self, scene: Scene) -> Catch:
+    def _catch(self, context: ToolContext) -> Catch:
         """Give where the corner or the side goes that is dragged."""
         x, y = self.box.at(*CORNERS[self.handle])
         at = x + self.pointer.at[0] - self.start.at[0], y + self.pointer.at[1] - self.start.at[1]
-        ground = ground_for_moving(scene.document, self.start.side, self.vertices)
+        targets = targets_for_moving(context.document, self.start.side, self.vertices)
         pointer = replace(self.pointer, at=at, shift=False)
-        return caught(pointer, scene.settings.snapping, replace(ground, lines=(), origins=()))
+        return caught(pointer, context.settings.snapping, replace(targets, lines=(), origins=()))
 
-    def _factors(self, scene: Scene) -> Point:
+    def _factors(self, context: ToolContext) -> Point:
         corner, fixed = self.box.at(*CORNERS[self.handle]), self._fixed()
-        catch = self._catch(scene)
+        catch = self._catch(context)
         ways = [(catch.at[k] - fixed[k], corner[k] - fixed[k]) for k in (0, 1)]
         x, y = (new / old if old else 1.0 for new, old in ways)  # a side's own direction stays as it is
         if not self.pointer.shift:
@@ -222,11 +226,11 @@ def key_turn(key: Key) -> tuple[float, float]:
     return -x * radians(15 if key.far else 1), (1.1 if key.far else 1.01) ** y
 
 
-def placed(scene: Scene, idle: Tool, selection: Selection, ring: Floats, name: str) -> Response:
+def placed(context: ToolContext, idle: Tool, selection: Selection, ring: Floats, name: str) -> Response:
     """Try to put the selected vertices where they are in a ring; they stay selected."""
     side = selection.side
     try:
-        document = scene.document.reform(side, ring)
+        document = context.document.reform(side, ring)
     except StarskelError as error:
         return Response(idle, refusal=refused_ring(side, ring, error))
     # a shape that is turned inside out numbers its vertices anew

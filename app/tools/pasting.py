@@ -10,16 +10,16 @@ from app.model.selection import Selection, everything
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.refusal import refused_ring
 from app.tools.select import SelectTool
-from app.tools.tool import Commit, Response, Scene
+from app.tools.tool import Commit, Response, ToolContext
 from starskel.errors import InvalidPolygon
 from starskel.polygon import Polygon
 from starskel.shapes.shape import Shape
 
 
-def pasted(scene: Scene, side: Side, clipping: Clipping) -> Response:
+def pasted(context: ToolContext, side: Side, clipping: Clipping) -> Response:
     """Put what was copied in the place of the shape on a canvas, or add its parts to those there."""
     try:
-        document = clippings.pasted(scene.document, side, clipping)
+        document = clippings.pasted(context.document, side, clipping)
     except InvalidPolygon as error:
         ring = clipping.shape.rings[0].vertices
         return Response(SelectTool(side), refusal=refused_ring(side, ring, error))
@@ -28,9 +28,9 @@ def pasted(scene: Scene, side: Side, clipping: Clipping) -> Response:
     return Response(SelectTool(side), commit, chosen)
 
 
-def put(scene: Scene, shapes: Mapping[Side, Shape], name: str) -> Response:
+def put(context: ToolContext, shapes: Mapping[Side, Shape], name: str) -> Response:
     """Put shapes, with all their parts and holes, in the places of those on their canvases, as one step."""
-    document, sides = scene.document, list(shapes)
+    document, sides = context.document, list(shapes)
     try:
         for side, shape in shapes.items():
             document = parts.draw(document, side, [Polygon(ring.vertices) for ring in shape.rings])
@@ -41,7 +41,7 @@ def put(scene: Scene, shapes: Mapping[Side, Shape], name: str) -> Response:
     return Response(SelectTool(sides[0]), Commit(document, name), chosen)
 
 
-def cut(scene: Scene, selection: Selection) -> Response:
+def cut(context: ToolContext, selection: Selection) -> Response:
     """Take what is selected off its canvas: parts with their holes, or the whole shape."""
-    commit = Commit(clippings.cut(scene.document, selection), QT_TRANSLATE_NOOP("Step", "Cut shape"))
+    commit = Commit(clippings.cut(context.document, selection), QT_TRANSLATE_NOOP("Step", "Cut shape"))
     return Response(SelectTool(selection.side), commit, Selection(selection.side))

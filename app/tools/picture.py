@@ -14,7 +14,7 @@ from app.model.transforms import Box, box_of
 from app.tools.handles import CORNERS, STALK, TURN, nearest_handle, turning_place
 from app.tools.moving import ARROWS, key_turn, key_way, turned_by
 from app.tools.settings import Snapping
-from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Scene, Tool
+from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Tool, ToolContext
 from starskel.files.picture import Picture
 
 MOVE = QT_TRANSLATE_NOOP("Step", "Move picture")
@@ -39,8 +39,8 @@ class PictureTool(Tool):
         "Arrow keys move it, with Alt they turn and scale.",
     )
 
-    def press(self, scene: Scene, pointer: Pointer) -> Response:
-        picture = free_picture(scene.document, pointer.side)
+    def press(self, context: ToolContext, pointer: Pointer) -> Response:
+        picture = free_picture(context.document, pointer.side)
         if picture is None:
             return Response(self)
         handle = _handle_at(picture, pointer)
@@ -48,35 +48,35 @@ class PictureTool(Tool):
             return Response(self)
         return Response(HoldingPicture(pointer, handle, picture, picture))
 
-    def move(self, scene: Scene, pointer: Pointer) -> Response:
-        picture = free_picture(scene.document, pointer.side)
+    def move(self, context: ToolContext, pointer: Pointer) -> Response:
+        picture = free_picture(context.document, pointer.side)
         handle = _handle_at(picture, pointer) if picture is not None else ""
         return Response(PictureTool(pointer.side, handle))
 
-    def key(self, scene: Scene, key: Key) -> Response:
-        side = scene.selection.side
-        picture = free_picture(scene.document, side)
+    def key(self, context: ToolContext, key: Key) -> Response:
+        side = context.selection.side
+        picture = free_picture(context.document, side)
         if picture is None:
             return Response(self)
         if key.name in ("delete", "backspace"):
-            return put_picture(scene, side, None, QT_TRANSLATE_NOOP("Step", "Remove picture"))
-        return self._by_key(scene, picture, key)
+            return put_picture(context, side, None, QT_TRANSLATE_NOOP("Step", "Remove picture"))
+        return self._by_key(context, picture, key)
 
-    def _by_key(self, scene: Scene, picture: Picture, key: Key) -> Response:
+    def _by_key(self, context: ToolContext, picture: Picture, key: Key) -> Response:
         """Move, turn or scale; the same in a row counts as one step."""
-        side = scene.selection.side
+        side = context.selection.side
         if key.name not in ARROWS:
             return Response(self)
         if not key.alt:
             moved = placing.moved(picture, key_way(key))
-            return put_picture(scene, side, moved, MOVE, joined=True)
+            return put_picture(context, side, moved, MOVE, joined=True)
         angle, factor = key_turn(key)
         if angle:
-            return put_picture(scene, side, placing.turned(picture, angle), TURNING, joined=True)
-        return put_picture(scene, side, placing.scaled(picture, (factor, factor)), SCALE, joined=True)
+            return put_picture(context, side, placing.turned(picture, angle), TURNING, joined=True)
+        return put_picture(context, side, placing.scaled(picture, (factor, factor)), SCALE, joined=True)
 
-    def overlay(self, scene: Scene, side: Side) -> Overlay:
-        picture = free_picture(scene.document, side)
+    def overlay(self, context: ToolContext, side: Side) -> Overlay:
+        picture = free_picture(context.document, side)
         if picture is None:
             return Overlay()
         return Overlay(picture=picture, handles=True, handle=self.handle if side == self.side else "")
@@ -98,25 +98,25 @@ class HoldingPicture(Tool):
     )
     busy: ClassVar[bool] = True
 
-    def move(self, scene: Scene, pointer: Pointer) -> Response:
-        return Response(replace(self, placed=self._placed(scene.settings.snapping, pointer)))
+    def move(self, context: ToolContext, pointer: Pointer) -> Response:
+        return Response(replace(self, placed=self._placed(context.settings.snapping, pointer)))
 
-    def release(self, scene: Scene, pointer: Pointer) -> Response:
+    def release(self, context: ToolContext, pointer: Pointer) -> Response:
         side = self.start.side
         name = MOVE if not self.handle else TURNING if self.handle == TURN else SCALE
-        return put_picture(scene, side, self.placed, name)
+        return put_picture(context, side, self.placed, name)
 
-    def preview(self, scene: Scene, pointer: Pointer) -> Document | None:
+    def preview(self, context: ToolContext, pointer: Pointer) -> Document | None:
         """Say that the blends stay as they are."""
         return None
 
-    def key(self, scene: Scene, key: Key) -> Response:
+    def key(self, context: ToolContext, key: Key) -> Response:
         return Response(self.cancel() if key.name in ("backspace", "delete") else self)
 
     def cancel(self) -> Tool:
         return PictureTool(self.start.side)
 
-    def overlay(self, scene: Scene, side: Side) -> Overlay:
+    def overlay(self, context: ToolContext, side: Side) -> Overlay:
         if side != self.start.side:
             return Overlay()
         readout = (placing.place_on(self.placed, 0.5, 0), self._figures()) if self.handle else None
@@ -143,11 +143,11 @@ class HoldingPicture(Tool):
 
 
 def put_picture(
-    scene: Scene, side: Side, picture: Picture | None, name: str, *, joined: bool = False
+    context: ToolContext, side: Side, picture: Picture | None, name: str, *, joined: bool = False
 ) -> Response:
     """Put a picture behind a shape, or take it away; joined, edits of that name in a row are one step."""
-    commit = Commit(scene.document.put_picture(side, picture), name, (name, side) if joined else None)
-    there = None if scene.selection.side == side else Selection(side)  # the one worked on from now on
+    commit = Commit(context.document.put_picture(side, picture), name, (name, side) if joined else None)
+    there = None if context.selection.side == side else Selection(side)  # the one worked on from now on
     return Response(PictureTool(side), commit, there)
 
 

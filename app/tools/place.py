@@ -8,7 +8,7 @@ from app.model.marks import Side
 from app.model.point import Point
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.select import SelectTool
-from app.tools.tool import Commit, Overlay, Pointer, Response, Scene, Tool
+from app.tools.tool import Commit, Overlay, Pointer, Response, Tool, ToolContext
 
 
 @dataclass(frozen=True)
@@ -23,17 +23,17 @@ class PlaceTool(Tool):
         "Hint", "Click where the part without a partner grows from or shrinks to, on the canvas without it."
     )
 
-    def press(self, scene: Scene, pointer: Pointer) -> Response:
-        if scene.document.part(pointer.side) is not None:
+    def press(self, context: ToolContext, pointer: Pointer) -> Response:
+        if context.document.part(pointer.side) is not None:
             return Response(self)
-        document = parts.place(scene.document, pointer.at)
+        document = parts.place(context.document, pointer.at)
         return Response(
             SelectTool(pointer.side), Commit(document, QT_TRANSLATE_NOOP("Step", "Set place of growth"))
         )
 
-    def move(self, scene: Scene, pointer: Pointer) -> Response:
-        free = scene.document.part(pointer.side) is None
+    def move(self, context: ToolContext, pointer: Pointer) -> Response:
+        free = context.document.part(pointer.side) is None
         return Response(PlaceTool(pointer.side, pointer.at if free else None))
 
-    def overlay(self, scene: Scene, side: Side) -> Overlay:
+    def overlay(self, context: ToolContext, side: Side) -> Overlay:
         return Overlay(insertion=self.at) if side == self.side else Overlay()

@@ -14,7 +14,7 @@ from app.tools.handles import handle_at, in_frame
 from app.tools.moving import ARROWS, Dragging, Transforming, key_turn, key_way, placed
 from app.tools.pick import distance, edge_at, inside, nearest_vertex, part_under, vertex_at, vertices_in
 from app.tools.refusal import Refusal, refused_ring
-from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Scene, Tool
+from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Tool, ToolContext
 from starskel.arrays import Floats
 from starskel.errors import StarskelError
 
@@ -35,9 +35,9 @@ class SelectTool(Tool):
         "Shift adds; arrow keys move, with Alt they turn and scale.",
     )
 
-    def reach(self, scene: Scene, pointer: Pointer) -> int | None:
+    def reach(self, context: ToolContext, pointer: Pointer) -> int | None:
         """Give the part under the pointer, where nothing of the one worked on is nearer."""
-        document, box = scene.document, frame_of(scene, pointer.side)
+        document, box = context.document, frame_of(context, pointer.side)
         on_handle = box is not None and not pointer.shift and bool(handle_at(box, pointer))
         if on_handle or len(document.shape(pointer.side)) == (document.part(pointer.side) is not None):
             return None
@@ -46,39 +46,39 @@ class SelectTool(Tool):
         part = part_under(document, pointer)
         return None if part == document.part(pointer.side) else part
 
-    def press(self, scene: Scene, pointer: Pointer) -> Response:
+    def press(self, context: ToolContext, pointer: Pointer) -> Response:
         side, idle = pointer.side, SelectTool(pointer.side)
-        selected = scene.selection.on(side)
-        vertex = vertex_at(scene.document, pointer)
+        selected = context.selection.on(side)
+        vertex = vertex_at(context.document, pointer)
         if vertex is not None:
-            return self._take_vertex(scene, pointer, vertex)
-        box = frame_of(scene, side)
+            return self._take_vertex(context, pointer, vertex)
+        box = frame_of(context, side)
         if box is not None and not pointer.shift:
             if handle := handle_at(box, pointer):
                 return Response(Transforming(idle, pointer, handle, selected, box, pointer))
             if in_frame(box, pointer):
-                return self._take_all(scene, pointer, selected)
-        edge = edge_at(scene.document, pointer)
+                return self._take_all(context, pointer, selected)
+        edge = edge_at(context.document, pointer)
         if edge is not None and not pointer.shift:
-            ends = frozenset([edge[0], (edge[0] + 1) % len(scene.document.vertices(side))])
-            return self._take(scene, pointer, ends, Selection(side, ends))
-        kept = scene.selection if pointer.shift else Selection(side)
+            ends = frozenset([edge[0], (edge[0] + 1) % len(context.document.vertices(side))])
+            return self._take(context, pointer, ends, Selection(side, ends))
+        kept = context.selection if pointer.shift else Selection(side)
         return Response(RubberBand(pointer, pointer, kept), selection=kept)
 
-    def move(self, scene: Scene, pointer: Pointer) -> Response:
-        vertex = vertex_at(scene.document, pointer)
-        box = frame_of(scene, pointer.side)
+    def move(self, context: ToolContext, pointer: Pointer) -> Response:
+        vertex = vertex_at(context.document, pointer)
+        box = frame_of(context, pointer.side)
         handle = handle_at(box, pointer) if box is not None and vertex is None else ""
-        edge = None if vertex is not None or handle else edge_at(scene.document, pointer)
+        edge = None if vertex is not None or handle else edge_at(context.document, pointer)
         return Response(SelectTool(pointer.side, vertex, edge[1] if edge else None, handle))
 
-    def double_press(self, scene: Scene, pointer: Pointer) -> Response:
-        edge = edge_at(scene.document, pointer)
-        if edge is None or vertex_at(scene.document, pointer) is not None:
+    def double_press(self, context: ToolContext, pointer: Pointer) -> Response:
+        edge = edge_at(context.document, pointer)
+        if edge is None or vertex_at(context.document, pointer) is not None:
             return Response(self)
         start, place = edge
         try:
-            document = scene.document.insert(pointer.side, start, place)
+            document = context.document.insert(pointer.side, start, place)
         except StarskelError as error:
             return Response(self, refusal=Refusal(pointer.side, error, places=(place,)))
         selection = Selection(pointer.side, frozenset([start + 1]))
@@ -88,79 +88,79 @@ class SelectTool(Tool):
             selection,
         )
 
-    def key(self, scene: Scene, key: Key) -> Response:
-        if not scene.selection:
+    def key(self, context: ToolContext, key: Key) -> Response:
+        if not context.selection:
             return Response(self)
         if key.name in ("delete", "backspace"):
-            return self._delete(scene)
+            return self._delete(context)
         if key.name in ARROWS and key.alt:
-            return self._transform(scene, key)
+            return self._transform(context, key)
         if key.name in ARROWS:
-            return self._nudge(scene, key_way(key))
+            return self._nudge(context, key_way(key))
         return Response(self)
 
-    def overlay(self, scene: Scene, side: Side) -> Overlay:
-        frame = frame_of(scene, side)
-        if side != self.side or (self.vertex or 0) >= len(scene.document.vertices(side)):
+    def overlay(self, context: ToolContext, side: Side) -> Overlay:
+        frame = frame_of(context, side)
+        if side != self.side or (self.vertex or 0) >= len(context.document.vertices(side)):
             return Overlay(frame=frame)
         return Overlay(vertex=self.vertex, insertion=self.insertion, frame=frame, handle=self.handle)
 
-    def _take_vertex(self, scene: Scene, pointer: Pointer, vertex: int) -> Response:
+    def _take_vertex(self, context: ToolContext, pointer: Pointer, vertex: int) -> Response:
         if pointer.shift:
-            return Response(self, selection=scene.selection.toggle(pointer.side, vertex))
+            return Response(self, selection=context.selection.toggle(pointer.side, vertex))
         alone = Selection(pointer.side, frozenset([vertex]))
-        selected = scene.selection.on(pointer.side)
-        return self._take(scene, pointer, selected if vertex in selected else alone.vertices, alone)
+        selected = context.selection.on(pointer.side)
+        return self._take(context, pointer, selected if vertex in selected else alone.vertices, alone)
 
-    def _take_all(self, scene: Scene, pointer: Pointer, selected: frozenset[int]) -> Response:
+    def _take_all(self, context: ToolContext, pointer: Pointer, selected: frozenset[int]) -> Response:
         """Take what is in the frame; a click there selects the whole shape, or nothing beside it."""
         side = pointer.side
-        on_it = inside(scene.document, pointer) or edge_at(scene.document, pointer) is not None
-        click = everything(scene.document, side) if on_it else Selection(side)
-        return self._take(scene, pointer, selected, click)
+        on_it = inside(context.document, pointer) or edge_at(context.document, pointer) is not None
+        click = everything(context.document, side) if on_it else Selection(side)
+        return self._take(context, pointer, selected, click)
 
     @staticmethod
-    def _take(scene: Scene, pointer: Pointer, vertices: frozenset[int], click: Selection) -> Response:
+    def _take(context: ToolContext, pointer: Pointer, vertices: frozenset[int], click: Selection) -> Response:
         side = pointer.side
-        vertex = nearest_vertex(scene.document, pointer, vertices)
+        vertex = nearest_vertex(context.document, pointer, vertices)
         state = Dragging(SelectTool(side), pointer, vertex, vertices, click)
         return Response(state, selection=Selection(side, vertices))
 
-    def _nudge(self, scene: Scene, offset: Point) -> Response:
+    def _nudge(self, context: ToolContext, offset: Point) -> Response:
         """Move the selection; nudges of the same vertices in a row are undone at once."""
-        selection = scene.selection
-        ring = scene.document.moved(selection.side, selection.vertices, offset)
-        return self._joined(scene, ring, QT_TRANSLATE_NOOP("Step", "Nudge vertices"))
+        selection = context.selection
+        ring = context.document.moved(selection.side, selection.vertices, offset)
+        return self._joined(context, ring, QT_TRANSLATE_NOOP("Step", "Nudge vertices"))
 
-    def _transform(self, scene: Scene, key: Key) -> Response:
+    def _transform(self, context: ToolContext, key: Key) -> Response:
         """Turn by left and right, scale by up and down, about the middle of the selection."""
-        side, rows = scene.selection.side, sorted(scene.selection.vertices)
-        ring = scene.document.vertices(side).copy()
+        side, rows = context.selection.side, sorted(context.selection.vertices)
+        ring = context.document.vertices(side).copy()
         middle, (angle, factor) = box_of(ring[rows]).middle, key_turn(key)
         if angle:
             ring[rows] = transforms.turned(ring[rows], middle, angle)
-            return self._joined(scene, ring, QT_TRANSLATE_NOOP("Step", "Turn"))
+            return self._joined(context, ring, QT_TRANSLATE_NOOP("Step", "Turn"))
         ring[rows] = transforms.scaled(ring[rows], middle, (factor, factor))
-        return self._joined(scene, ring, QT_TRANSLATE_NOOP("Step", "Scale"))
+        return self._joined(context, ring, QT_TRANSLATE_NOOP("Step", "Scale"))
 
     @staticmethod
-    def _joined(scene: Scene, ring: Floats, name: str) -> Response:
-        selection = scene.selection
-        response = placed(scene, SelectTool(selection.side), selection, ring, name)
+    def _joined(context: ToolContext, ring: Floats, name: str) -> Response:
+        selection = context.selection
+        response = placed(context, SelectTool(selection.side), selection, ring, name)
         if response.commit is None:
             return response
         return replace(response, commit=replace(response.commit, joins=(name, selection)))
 
-    def _delete(self, scene: Scene) -> Response:
-        side, vertices = scene.selection.side, scene.selection.vertices
-        if scene.selection.links:
-            gone = Commit(cut(scene.document, scene.selection), QT_TRANSLATE_NOOP("Step", "Delete parts"))
+    def _delete(self, context: ToolContext) -> Response:
+        side, vertices = context.selection.side, context.selection.vertices
+        if context.selection.links:
+            gone = Commit(cut(context.document, context.selection), QT_TRANSLATE_NOOP("Step", "Delete parts"))
             return Response(SelectTool(side), gone, Selection(side))
         try:
-            document = scene.document.delete(side, vertices)
+            document = context.document.delete(side, vertices)
         except StarskelError as error:
-            left = [v for v in range(len(scene.document.vertices(side))) if v not in vertices]
-            return Response(self, refusal=refused_ring(side, scene.document.vertices(side)[left], error))
+            left = [v for v in range(len(context.document.vertices(side))) if v not in vertices]
+            return Response(self, refusal=refused_ring(side, context.document.vertices(side)[left], error))
         return Response(
             SelectTool(side), Commit(document, QT_TRANSLATE_NOOP("Step", "Delete vertices")), Selection(side)
         )
@@ -178,24 +178,24 @@ class RubberBand(Tool):
     hint: ClassVar[str] = QT_TRANSLATE_NOOP("Hint", "Release to select the vertices in the box.")
     busy: ClassVar[bool] = True
 
-    def move(self, scene: Scene, pointer: Pointer) -> Response:
-        within = vertices_in(scene.document, pointer, self.start.at)
+    def move(self, context: ToolContext, pointer: Pointer) -> Response:
+        within = vertices_in(context.document, pointer, self.start.at)
         return Response(replace(self, end=pointer), selection=self.kept.add(pointer.side, within))
 
-    def release(self, scene: Scene, pointer: Pointer) -> Response:
+    def release(self, context: ToolContext, pointer: Pointer) -> Response:
         side = self.start.side
         click = distance(self.start.at, self.end.at) <= pointer.radius / 3
-        whole = click and not self.start.shift and inside(scene.document, self.start)
-        return Response(SelectTool(side), selection=everything(scene.document, side) if whole else None)
+        whole = click and not self.start.shift and inside(context.document, self.start)
+        return Response(SelectTool(side), selection=everything(context.document, side) if whole else None)
 
     def cancel(self) -> Tool:
         return SelectTool(self.start.side)
 
-    def overlay(self, scene: Scene, side: Side) -> Overlay:
+    def overlay(self, context: ToolContext, side: Side) -> Overlay:
         return Overlay(box=(self.start.at, self.end.at)) if side == self.start.side else Overlay()
 
 
-def frame_of(scene: Scene, side: Side) -> Box | None:
+def frame_of(context: ToolContext, side: Side) -> Box | None:
     """Give the box around the selected vertices of a side, where there are at least two."""
-    vertices = [v for v in scene.selection.on(side) if v < len(scene.document.vertices(side))]
-    return box_of(scene.document.vertices(side)[vertices]) if len(vertices) > 1 else None
+    vertices = [v for v in context.selection.on(side) if v < len(context.document.vertices(side))]
+    return box_of(context.document.vertices(side)[vertices]) if len(vertices) > 1 else None

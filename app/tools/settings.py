@@ -38,7 +38,7 @@ class Lettering:
 
 
 @dataclass(frozen=True)
-class Settings:
+class ToolSettings:
     """All that the user can set.
 
     Attributes

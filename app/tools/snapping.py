@@ -14,7 +14,7 @@ from app.model.point import Point, as_point
 from app.tools.pick import distance, nearest_on
 from app.tools.refusal import Segment
 from app.tools.settings import Snapping
-from app.tools.tool import Catch, Pointer, Scene
+from app.tools.tool import Catch, Pointer, ToolContext
 from starskel.arrays import Floats
 
 CATCH_REACH = 2 / 3
@@ -25,7 +25,7 @@ STEP = pi / 12
 
 
 @dataclass(frozen=True)
-class Line:
+class SnapLine:
     """A line that may catch the pointer.
 
     Attributes
@@ -55,7 +55,7 @@ class Line:
         x, y = at[0] - self.anchor[0], at[1] - self.anchor[1]
         return x * self.direction[0] + y * self.direction[1]
 
-    def meets(self, other: "Line") -> Point | None:
+    def meets(self, other: "SnapLine") -> Point | None:
         """Give where two lines cross, None where they are parallel."""
         (a, b), (c, d) = self.direction, other.direction
         turn = a * d - b * c
@@ -67,7 +67,7 @@ class Line:
 
 
 @dataclass(frozen=True, eq=False)
-class Ground:
+class SnapTargets:
     """What there is to be caught by.
 
     Attributes
@@ -78,7 +78,7 @@ class Ground:
         Places whose height or side may be taken, though they may not be met.
     starts, ends : (k, 2) arrays
         Edges that may be met.
-    lines : tuple of Line
+    lines : tuple of SnapLine
         Lines that lengthen edges.
     origins : tuple of points
         Where edges come from that may keep to multiples of 15 degrees.
@@ -88,11 +88,11 @@ class Ground:
     beside: Floats = field(default_factory=lambda: np.empty((0, 2)))
     starts: Floats = field(default_factory=lambda: np.empty((0, 2)))
     ends: Floats = field(default_factory=lambda: np.empty((0, 2)))
-    lines: tuple[Line, ...] = ()
+    lines: tuple[SnapLine, ...] = ()
     origins: tuple[Point, ...] = ()
 
 
-def ground_for_drawing(document: Document, side: Side, path: Sequence[Point] = ()) -> Ground:
+def targets_for_drawing(document: Document, side: Side, path: Sequence[Point] = ()) -> SnapTargets:
     """Give what catches a new vertex: all parts, that to be replaced among them, and the path so far."""
     rings = [document.vertices(side), *_others(document, side)]
     met = _met_by(rings)
@@ -101,7 +101,7 @@ def ground_for_drawing(document: Document, side: Side, path: Sequence[Point] = (
     )
 
 
-def ground_for_moving(document: Document, side: Side, moving: Collection[int]) -> Ground:
+def targets_for_moving(document: Document, side: Side, moving: Collection[int]) -> SnapTargets:
     """Give what catches vertices that are moved: the others, and if it is one, what is straight with it.
 
     Other parts may be met, but not those inside the part or around it: meeting them makes a part of a hole.
@@ -109,13 +109,13 @@ def ground_for_moving(document: Document, side: Side, moving: Collection[int]) -
     ring, others = document.vertices(side), _others(document, side)
     rest = np.delete(ring, sorted(moving), axis=0)
     met = _met_by([other for other in others if not _nested(ring, other)])
-    ground = replace(met, beside=np.concatenate([rest, *others]))
+    targets = replace(met, beside=np.concatenate([rest, *others]))
     if len(moving) != 1 or len(ring) < 4:
-        return ground
+        return targets
     (vertex,) = moving
     before2, before, after, after2 = (as_point(ring[(vertex + k) % len(ring)]) for k in (-2, -1, 1, 2))
     lines = (_line(before, after, 0), _line(before, before2), _line(after, after2))
-    return replace(ground, lines=tuple(line for line in lines if line), origins=(before, after))
+    return replace(targets, lines=tuple(line for line in lines if line), origins=(before, after))
 
 
 def _others(document: Document, side: Side) -> list[Floats]:
@@ -125,10 +125,10 @@ def _others(document: Document, side: Side) -> list[Floats]:
     return [part.ring.vertices for number, part in shown if part.visible and number != own]
 
 
-def _met_by(rings: Sequence[Floats]) -> Ground:
+def _met_by(rings: Sequence[Floats]) -> SnapTargets:
     points = np.concatenate([np.empty((0, 2)), *rings])
     ends = [np.roll(ring, -1, axis=0) for ring in rings]
-    return Ground(points, starts=points, ends=np.concatenate([np.empty((0, 2)), *ends]))
+    return SnapTargets(points, starts=points, ends=np.concatenate([np.empty((0, 2)), *ends]))
 
 
 def _nested(ring: Floats, other: Floats) -> bool:
@@ -136,83 +136,83 @@ def _nested(ring: Floats, other: Floats) -> bool:
     return any(bool(shapely.contains_xy(shapely.Polygon(outer), *inner[0])) for inner, outer in pairs)
 
 
-def begun_at(scene: Scene, pointer: Pointer) -> Catch:
+def begun_at(context: ToolContext, pointer: Pointer) -> Catch:
     """Give where a new shape would be begun; Shift means nothing yet."""
-    ground = ground_for_drawing(scene.document, pointer.side)
-    return caught(replace(pointer, shift=False), scene.settings.snapping, ground)
+    targets = targets_for_drawing(context.document, pointer.side)
+    return caught(replace(pointer, shift=False), context.settings.snapping, targets)
 
 
-def caught(pointer: Pointer, snapping: Snapping, ground: Ground) -> Catch:
+def caught(pointer: Pointer, snapping: Snapping, targets: SnapTargets) -> Catch:
     """Give the place that the pointer is caught by, or its own.
 
     With Shift it keeps to a multiple of 15 degrees, however far; suspended, nothing catches it.
     """
     if pointer.free:
         return Catch(pointer.at)
-    if pointer.shift and ground.origins:
-        ray = _ray(ground.origins[0], pointer.at)
+    if pointer.shift and targets.origins:
+        ray = _ray(targets.origins[0], pointer.at)
         return _on((ray,), ray.foot(pointer.at))
     reach = pointer.radius * CATCH_REACH
-    met = _met(pointer.at, snapping, ground, reach) or _on_lines(pointer.at, snapping, ground, reach)
+    met = _met(pointer.at, snapping, targets, reach) or _on_lines(pointer.at, snapping, targets, reach)
     if met is None and snapping.grid:
         return Catch(_on_grid(pointer.at, snapping.spacing), "grid")
     return met or Catch(pointer.at)
 
 
-def _met(at: Point, snapping: Snapping, ground: Ground, reach: float) -> Catch | None:
-    if not snapping.vertices or not len(ground.points):
+def _met(at: Point, snapping: Snapping, targets: SnapTargets, reach: float) -> Catch | None:
+    if not snapping.vertices or not len(targets.points):
         return None
-    near = _nearest(ground.points, at)
+    near = _nearest(targets.points, at)
     return Catch(near, "vertex") if distance(near, at) <= reach else None
 
 
-def _on_lines(at: Point, snapping: Snapping, ground: Ground, reach: float) -> Catch | None:
+def _on_lines(at: Point, snapping: Snapping, targets: SnapTargets, reach: float) -> Catch | None:
     """Give the nearest crossing of lines that are near, or else the nearest place on one of them."""
-    lines = [line for line in _lines(at, snapping, ground) if _catches(line, at, reach)]
+    lines = [line for line in _lines(at, snapping, targets) if _catches(line, at, reach)]
     crossings = [(pair, place) for pair in combinations(lines, 2) if (place := pair[0].meets(pair[1]))]
     within = [_on(*each) for each in crossings if distance(each[1], at) <= 1.5 * reach]
     within = within or [_on((line,), line.foot(at)) for line in lines]
     return min(within, key=lambda catch: distance(catch.at, at), default=None)
 
 
-def _lines(at: Point, snapping: Snapping, ground: Ground) -> Iterable[Line]:
-    if snapping.vertices and len(ground.beside):
-        yield Line(_nearest(ground.beside, at, (1, 0)), (0, 1), "aligned")
-        yield Line(_nearest(ground.beside, at, (0, 1)), (1, 0), "aligned")
-    if snapping.edges and len(ground.starts):
-        places = nearest_on(ground.starts, ground.ends, np.array(at))
+def _lines(at: Point, snapping: Snapping, targets: SnapTargets) -> Iterable[SnapLine]:
+    if snapping.vertices and len(targets.beside):
+        yield SnapLine(_nearest(targets.beside, at, (1, 0)), (0, 1), "aligned")
+        yield SnapLine(_nearest(targets.beside, at, (0, 1)), (1, 0), "aligned")
+    if snapping.edges and len(targets.starts):
+        places = nearest_on(targets.starts, targets.ends, np.array(at))
         edge = int(np.hypot(*(places - at).T).argmin())
-        line = _line(as_point(ground.starts[edge]), as_point(ground.ends[edge]), 0)
-        if line is not None and 0 <= line.along(at) <= distance(line.anchor, as_point(ground.ends[edge])):
+        line = _line(as_point(targets.starts[edge]), as_point(targets.ends[edge]), 0)
+        if line is not None and 0 <= line.along(at) <= distance(line.anchor, as_point(targets.ends[edge])):
             yield line
     if snapping.edges:
-        yield from ground.lines
+        yield from targets.lines
     if snapping.angles:
-        yield from (_ray(origin, at) for origin in ground.origins)
+        yield from (_ray(origin, at) for origin in targets.origins)
 
 
-def _catches(line: Line, at: Point, reach: float) -> bool:
+def _catches(line: SnapLine, at: Point, reach: float) -> bool:
     return distance(line.foot(at), at) <= reach and not 0 <= line.along(at) <= line.barred
 
 
-def _on(lines: Sequence[Line], place: Point) -> Catch:
+def _on(lines: Sequence[SnapLine], place: Point) -> Catch:
     guides: tuple[Segment, ...] = tuple((line.anchor, place) for line in lines)
     return Catch(place, lines[0].kind, guides)
 
 
-def _line(start: Point, end: Point, barred: float | None = None) -> Line | None:
+def _line(start: Point, end: Point, barred: float | None = None) -> SnapLine | None:
     """Give the line through two points; it catches beyond the start alone, unless told what is barred."""
     length = distance(start, end)
     if not length > 0:
         return None
     direction = (end[0] - start[0]) / length, (end[1] - start[1]) / length
-    return Line(start, direction, "edge", length if barred is None else barred)
+    return SnapLine(start, direction, "edge", length if barred is None else barred)
 
 
-def _ray(origin: Point, at: Point) -> Line:
+def _ray(origin: Point, at: Point) -> SnapLine:
     """Give the line from an origin at the multiple of 15 degrees next to a place."""
     angle = STEP * round(atan2(at[1] - origin[1], at[0] - origin[0]) / STEP)
-    return Line(origin, (cos(angle), sin(angle)), "angle")
+    return SnapLine(origin, (cos(angle), sin(angle)), "angle")
 
 
 def _nearest(points: Floats, at: Point, weights: Point = (1, 1)) -> Point:

@@ -10,7 +10,7 @@ from app.model.point import Point
 from app.model.selection import Selection
 from app.model.transforms import Box
 from app.tools.refusal import Refusal, Segment
-from app.tools.settings import Settings
+from app.tools.settings import ToolSettings
 from starskel.arrays import Floats
 from starskel.files.picture import Picture
 
@@ -69,12 +69,12 @@ class Key:
 
 
 @dataclass(frozen=True)
-class Scene:
+class ToolContext:
     """What a tool sees."""
 
     document: Document
     selection: Selection
-    settings: Settings = field(default_factory=Settings)
+    settings: ToolSettings = field(default_factory=ToolSettings)
 
 
 @dataclass(frozen=True)
@@ -181,31 +181,31 @@ class Tool:
     options: ClassVar[str] = ""
     """Which options apply now, where they are not those of the tool."""
 
-    def reach(self, scene: Scene, pointer: Pointer) -> int | None:
+    def reach(self, context: ToolContext, pointer: Pointer) -> int | None:
         """Give the part, other than the one worked on, that a press here would be about."""
         return None
 
-    def press(self, scene: Scene, pointer: Pointer) -> "Response":
+    def press(self, context: ToolContext, pointer: Pointer) -> "Response":
         return Response(self)
 
-    def move(self, scene: Scene, pointer: Pointer) -> "Response":
+    def move(self, context: ToolContext, pointer: Pointer) -> "Response":
         return Response(self)
 
-    def release(self, scene: Scene, pointer: Pointer) -> "Response":
+    def release(self, context: ToolContext, pointer: Pointer) -> "Response":
         return Response(self)
 
-    def preview(self, scene: Scene, pointer: Pointer) -> Document | None:
+    def preview(self, context: ToolContext, pointer: Pointer) -> Document | None:
         """Give the document that releasing here would lead to, None where it would change nothing."""
-        commit = self.release(scene, pointer).commit
+        commit = self.release(context, pointer).commit
         return commit.document if commit is not None else None
 
-    def double_press(self, scene: Scene, pointer: Pointer) -> "Response":
-        return self.press(scene, pointer)
+    def double_press(self, context: ToolContext, pointer: Pointer) -> "Response":
+        return self.press(context, pointer)
 
-    def key(self, scene: Scene, key: Key) -> "Response":
+    def key(self, context: ToolContext, key: Key) -> "Response":
         return Response(self)
 
-    def adjust(self, scene: Scene) -> "Response":
+    def adjust(self, context: ToolContext) -> "Response":
         """Follow settings that were changed."""
         return Response(self)
 
@@ -213,11 +213,11 @@ class Tool:
         """Give the state after the gesture was given up."""
         return self
 
-    def finish(self, scene: Scene) -> "Response":
+    def finish(self, context: ToolContext) -> "Response":
         """End the gesture because the user goes on to something else; by default it is given up."""
         return Response(self.cancel())
 
-    def overlay(self, scene: Scene, side: Side) -> Overlay:
+    def overlay(self, context: ToolContext, side: Side) -> Overlay:
         return Overlay()
 
 

@@ -10,7 +10,7 @@ from app.model.marks import Side
 from app.model.selection import Selection
 from app.session import Session
 from app.tools.pasting import cut
-from app.tools.tool import Scene
+from app.tools.tool import ToolContext
 from app.tools.verbs import VERBS, meant
 from app.view.canvas.canvas import Canvas
 from app.view.canvas.clipboard import copy_shape
@@ -35,7 +35,7 @@ class Edits(QObject):
     @property
     def _side(self) -> Side:
         """The shape that was worked on last, or the only one there is."""
-        return meant(Scene(self._session.document, self._session.selection)).side
+        return meant(ToolContext(self._session.document, self._session.selection)).side
 
     @property
     def _meant(self) -> Selection:
@@ -47,7 +47,7 @@ class Edits(QObject):
     def _do(self) -> None:
         verb = VERBS[self.sender().objectName()]
         pixel = 1 / self._canvases[self._side].camera.scale
-        self._session.edit(lambda scene: verb(scene, pixel))
+        self._session.edit(lambda context: verb(context, pixel))
 
     @Slot()
     def _copy(self) -> None:

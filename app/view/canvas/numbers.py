@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QDoubleSpinBox
 from app.model.point import Point
 from app.session import Session
 from app.tools import numbers
-from app.tools.tool import Response, Scene
+from app.tools.tool import Response, ToolContext
 from app.view.canvas.option_pages import Page
 from app.view.wording.decimal_field import DecimalField
 
@@ -131,7 +131,7 @@ class Numbers(Placing):
     """The numbers of the selection; it counts as not turned when it is selected, and after other edits."""
 
     def __init__(self, session: Session) -> None:
-        self._turned: tuple[Scene, float] = Scene(session.document, session.selection), 0.0
+        self._turned: tuple[ToolContext, float] = ToolContext(session.document, session.selection), 0.0
         super().__init__(session)
 
     @property
@@ -139,12 +139,12 @@ class Numbers(Placing):
         return self.tr("By how much to turn the selection about its middle")
 
     def measured(self) -> Measured | None:
-        scene = self._scene
-        box = numbers.selected_box(scene)
+        context = self._context
+        box = numbers.selected_box(context)
         if box is None:
             return None
         width, height = box.size
-        many = len(scene.selection.vertices) > 1
+        many = len(context.selection.vertices) > 1
         return Measured(box.middle, width or None, height or None, self._degrees if many else None)
 
     def centre(self, middle: Point) -> None:
@@ -157,18 +157,18 @@ class Numbers(Placing):
         before = self.session.document
         self._edit(partial(numbers.turned, angle=radians(degrees - self._degrees)))
         if self.session.document is not before:  # else it was refused
-            self._turned = self._scene, degrees
+            self._turned = self._context, degrees
 
     @property
-    def _scene(self) -> Scene:
-        return Scene(self.session.document, self.session.selection)
+    def _context(self) -> ToolContext:
+        return ToolContext(self.session.document, self.session.selection)
 
     @property
     def _degrees(self) -> float:
         """By how much what is selected has just been turned here."""
-        scene, degrees = self._turned
-        same = scene.document is self.session.document and scene.selection == self.session.selection
+        context, degrees = self._turned
+        same = context.document is self.session.document and context.selection == self.session.selection
         return degrees if same else 0.0
 
-    def _edit(self, verb: Callable[[Scene], Response]) -> None:
+    def _edit(self, verb: Callable[[ToolContext], Response]) -> None:
         self.session.edit(verb)

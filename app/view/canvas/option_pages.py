@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.session import Session
-from app.tools.settings import Settings
+from app.tools.settings import ToolSettings
 from app.view.canvas.lettering import lettering
 from app.view.wording.counts import COUNTS
 from app.view.wording.words import figure
@@ -64,7 +64,7 @@ class Page(QWidget):
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(0, 0, 0, 0)
         self._row.setSpacing(6)
-        self._followers: list[Callable[[Settings], None]] = []
+        self._followers: list[Callable[[ToolSettings], None]] = []
         self._row.addStretch(1)
         for field in fields:
             self._add_field(field)
@@ -93,7 +93,7 @@ class Page(QWidget):
         """Put writing behind what there is."""
         self._row.insertWidget(self._row.count() - 1, note)
 
-    def follow_with(self, follower: Callable[[Settings], None]) -> None:
+    def follow_with(self, follower: Callable[[ToolSettings], None]) -> None:
         """Call this with the settings whenever they are to be shown."""
         self._followers.append(follower)
         follower(self.session.settings)
@@ -131,7 +131,7 @@ class TolerancePage(Page):
     def _take(self, step: int) -> None:
         self.set(tolerance=FINEST * (COARSEST / FINEST) ** (step / STEPS))
 
-    def _show(self, settings: Settings) -> None:
+    def _show(self, settings: ToolSettings) -> None:
         step = STEPS * log(settings.tolerance / FINEST) / log(COARSEST / FINEST)
         self._slider.setValue(round(step))
         self._figure.setText(self.tr("{pixels} px").format(pixels=figure(f"{settings.tolerance:.1f}")))

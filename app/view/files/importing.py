@@ -21,7 +21,7 @@ from app.session import Session
 from app.tools.pasting import pasted, put
 from app.tools.refusal import Refusal
 from app.tools.select import SelectTool
-from app.tools.tool import Response, Scene
+from app.tools.tool import Response, ToolContext
 from app.view.canvas.canvas import Canvas
 from app.view.canvas.clipboard import copied_shape, copied_svg
 from app.view.files.dialogs import complain, path_to_import
@@ -121,7 +121,7 @@ class Importing(QObject):
             complain(self._window, self.tr("{name} cannot be read").format(name=aim.path.name), error)
         else:
             refusal = Refusal(aim.side, error)
-            self._session.edit(lambda scene: Response(SelectTool(refusal.side), refusal=refusal))
+            self._session.edit(lambda context: Response(SelectTool(refusal.side), refusal=refusal))
 
     def _chosen(self, reading: "Reading") -> "Mapping[Side, Found] | None":
         """Give a shape for each canvas that gets one, asking where a file holds several."""
@@ -145,7 +145,7 @@ class Importing(QObject):
         verb = partial(put, shapes=shapes, name=name)
         if self._aim.anew:
             title = self._aim.path.stem
-            begun = verb(Scene(Document(title, methods=USUAL_METHODS), Selection("source")))
+            begun = verb(ToolContext(Document(title, methods=USUAL_METHODS), Selection("source")))
             if begun.commit is not None:
                 self.begun.emit(project_of(begun.commit.document, title), self._aim.path)
         else:

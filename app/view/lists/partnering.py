@@ -12,7 +12,7 @@ from app.model.document import Document
 from app.model.selection import Selection
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.session import Session
-from app.tools.tool import Commit, Response, Scene
+from app.tools.tool import Commit, Response, ToolContext
 from app.view.asking import accepted
 from app.view.commands.actions import Actions
 from app.view.painting.theme import theme_of
@@ -205,11 +205,11 @@ class Partnering(QObject):
     def _do(self, verb: Callable[[Document], Document], name: str) -> None:
         """Store what a verb makes of the document; vertices that were selected may be of another part now."""
 
-        def done(scene: Scene) -> Response:
-            document = verb(scene.document)
-            side = scene.selection.side
-            kept = document.polygon(side) == scene.document.polygon(side)
-            selection = scene.selection if kept else Selection(side)
+        def done(context: ToolContext) -> Response:
+            document = verb(context.document)
+            side = context.selection.side
+            kept = document.polygon(side) == context.document.polygon(side)
+            selection = context.selection if kept else Selection(side)
             return Response(self._session.tool, Commit(document, name), selection)
 
         self._session.edit(done)

@@ -88,7 +88,7 @@ class Backgrounds(QObject):
             picture = picture_of(content(), self._canvases[side].camera)
         except StarskelError as error:
             refusal = Refusal(side, error)
-            self._session.edit(lambda scene: Response(PictureTool(side), refusal=refusal))
+            self._session.edit(lambda context: Response(PictureTool(side), refusal=refusal))
         else:
             self._session.edit(partial(with_picture, side=side, picture=picture))
 

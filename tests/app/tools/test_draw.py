@@ -4,10 +4,10 @@ from app.model.document import Document
 from app.model.selection import Selection
 from app.tools.draw import Drawing, DrawTool
 from app.tools.select import SelectTool
-from app.tools.tool import Key, Pointer, Response, Scene, Tool
+from app.tools.tool import Key, Pointer, Response, Tool, ToolContext
 from starskel.polygon import Polygon
 
-SCENE = Scene(Document(), Selection())
+SCENE = ToolContext(Document(), Selection())
 
 
 def at(x: float, y: float) -> Pointer:
@@ -112,7 +112,7 @@ def test_going_on_to_something_else_closes_what_is_a_polygon_already() -> None:
 
 
 def test_the_second_shape_done_the_drawing_tool_is_put_down() -> None:
-    scene = Scene(Document.of(target=Polygon([(0, 0), (9, 0), (9, 9)])), Selection())
+    context = ToolContext(Document.of(target=Polygon([(0, 0), (9, 0), (9, 9)])), Selection())
     tool = click(DrawTool(), (0, 0), (10, 0), (10, 10)).tool
     assert tool.key(SCENE, Key("enter")).tool == DrawTool()
-    assert tool.key(scene, Key("enter")).tool == SelectTool()
+    assert tool.key(context, Key("enter")).tool == SelectTool()

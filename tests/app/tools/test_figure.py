@@ -3,9 +3,9 @@ import pytest
 from app.model.document import Document
 from app.model.selection import Selection
 from app.tools.figure import FIGURES, Figure, FigureTool
-from app.tools.tool import Pointer, Response, Scene
+from app.tools.tool import Pointer, Response, ToolContext
 
-SCENE = Scene(Document(), Selection())
+SCENE = ToolContext(Document(), Selection())
 KINDS = {figure.name: figure for figure in FIGURES}
 
 

@@ -4,11 +4,11 @@ from app.model.document import Document
 from app.model.marks import Side
 from app.model.selection import Selection
 from app.tools.mark import MarkBegun, MarkTool
-from app.tools.tool import Pointer, Response, Scene, Tool
+from app.tools.tool import Pointer, Response, Tool, ToolContext
 from starskel.polygon import Polygon
 
 SHAPE = Polygon([(0, 0), (10, 0), (10, 10), (0, 10)])
-SCENE = Scene(Document.of(source=SHAPE, target=SHAPE, marks=((0, 0), (1, 1))), Selection())
+SCENE = ToolContext(Document.of(source=SHAPE, target=SHAPE, marks=((0, 0), (1, 1))), Selection())
 
 
 def at(side: Side, x: float, y: float) -> Pointer:
@@ -38,11 +38,11 @@ def test_it_may_begin_on_the_target() -> None:
 
 
 def test_a_crossing_mark_is_refused_and_shows_both() -> None:
-    scene = Scene(Document.of(source=SHAPE, target=SHAPE, marks=((0, 0), (3, 3))), Selection())
-    response = MarkBegun("source", 1).press(scene, at("target", 10, 10))
+    context = ToolContext(Document.of(source=SHAPE, target=SHAPE, marks=((0, 0), (3, 3))), Selection())
+    response = MarkBegun("source", 1).press(context, at("target", 10, 10))
     assert response.commit is not None
-    scene = Scene(response.commit.document, Selection())
-    response = MarkBegun("source", 2).press(scene, at("target", 10, 0))
+    context = ToolContext(response.commit.document, Selection())
+    response = MarkBegun("source", 2).press(context, at("target", 10, 0))
     assert response.commit is None
     assert response.refusal is not None
     assert set(response.refusal.marks) == {(1, 2), (2, 1)}

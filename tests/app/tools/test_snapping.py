@@ -5,7 +5,7 @@ import pytest
 from app.model.document import Document
 from app.model.sequence import Sequence
 from app.tools.settings import Snapping
-from app.tools.snapping import caught, ground_for_drawing, ground_for_moving
+from app.tools.snapping import caught, targets_for_drawing, targets_for_moving
 from app.tools.tool import Catch, Pointer
 from starskel.files.key_shape import KeyShape, Part
 from starskel.files.step import Link, Step
@@ -21,11 +21,11 @@ def at(x: float, y: float, *, shift: bool = False, free: bool = False) -> Pointe
 
 
 def drawing(pointer: Pointer, snapping: Snapping, *path: tuple[float, float]) -> Catch:
-    return caught(pointer, snapping, ground_for_drawing(SQUARE, "source", path))
+    return caught(pointer, snapping, targets_for_drawing(SQUARE, "source", path))
 
 
 def moving(pointer: Pointer, snapping: Snapping, *vertices: int) -> Catch:
-    return caught(pointer, snapping, ground_for_moving(SQUARE, "source", vertices))
+    return caught(pointer, snapping, targets_for_moving(SQUARE, "source", vertices))
 
 
 def test_a_vertex_that_is_near_is_met() -> None:
@@ -87,9 +87,9 @@ def test_a_moved_vertex_may_lengthen_an_edge_or_lie_on_the_straight_between_its_
 
 
 def test_an_empty_canvas_catches_by_the_grid_alone() -> None:
-    ground = ground_for_drawing(Document(), "source")
-    assert caught(at(1, 1), Snapping(angles=True), ground) == Catch((1, 1))
-    assert caught(at(1, 1), ALL, ground) == Catch((0, 0), "grid")
+    targets = targets_for_drawing(Document(), "source")
+    assert caught(at(1, 1), Snapping(angles=True), targets) == Catch((1, 1))
+    assert caught(at(1, 1), ALL, targets) == Catch((0, 0), "grid")
 
 
 SEVERAL = Document(
@@ -111,15 +111,15 @@ SEVERAL = Document(
 
 
 def test_all_parts_that_are_shown_catch() -> None:
-    drawing = ground_for_drawing(SEVERAL.showing(0, 4), "source")
-    moving = ground_for_moving(SEVERAL, "source", {2})
-    for ground in (drawing, moving):
-        assert caught(at(20.3, 9.8), Snapping(), ground) == Catch((20, 10), "vertex")
-        assert caught(at(20.3, 5), Snapping(vertices=False), ground).at == (20, 5)
-        assert caught(at(44.9, 9.1), Snapping(), ground).kind != "vertex"  # it is hidden
+    drawing = targets_for_drawing(SEVERAL.showing(0, 4), "source")
+    moving = targets_for_moving(SEVERAL, "source", {2})
+    for targets in (drawing, moving):
+        assert caught(at(20.3, 9.8), Snapping(), targets) == Catch((20, 10), "vertex")
+        assert caught(at(20.3, 5), Snapping(vertices=False), targets).at == (20, 5)
+        assert caught(at(44.9, 9.1), Snapping(), targets).kind != "vertex"  # it is hidden
 
 
 def test_holes_and_outlines_do_not_catch_each_other_but_are_level() -> None:
     for link, vertex, place in ((0, 2, at(5.2, 6.1)), (2, 2, at(10.1, 9.9))):
-        catch = caught(place, Snapping(), ground_for_moving(SEVERAL.showing(0, link), "source", {vertex}))
+        catch = caught(place, Snapping(), targets_for_moving(SEVERAL.showing(0, link), "source", {vertex}))
         assert catch.kind == "aligned"

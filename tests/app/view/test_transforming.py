@@ -5,7 +5,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDoubleSpinBox
 
 from app.tools.handles import handle_places
-from app.tools.settings import Settings, Snapping
+from app.tools.settings import Snapping, ToolSettings
 from app.tools.tool import Pointer
 from tests.app.driver import CONTROL, SHIFT, SQUARE, Driver
 
@@ -18,7 +18,7 @@ def square(driver: Driver) -> Driver:
     driver.key(Qt.Key.Key_S)
     driver.key(Qt.Key.Key_A, CONTROL)
     driver.window.canvases["source"].zoom(0.8)
-    driver.session.set(Settings(snapping=Snapping(vertices=False, edges=False)))
+    driver.session.set(ToolSettings(snapping=Snapping(vertices=False, edges=False)))
     return driver
 
 
@@ -190,7 +190,7 @@ def test_one_vertex_has_a_place_but_no_size(square: Driver) -> None:
 
 
 def test_a_dragged_vertex_is_caught_by_the_height_of_another_unless_control_is_held(square: Driver) -> None:
-    square.session.set(Settings())
+    square.session.set(ToolSettings())
     square.click("source", (140, 140))
     square.press("source", 90, 90)
     square.hover("source", 70, 70)
