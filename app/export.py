@@ -131,7 +131,7 @@ class Choice:
 
 
 @dataclass(frozen=True, eq=False)
-class Stretch:
+class ExportedStep:
     """A step of the sequence as it is exported.
 
     Attributes
@@ -173,7 +173,7 @@ class Stretch:
 
 
 def write_choice(
-    path: Path, name: str, choice: Choice, stretches: Sequence[Stretch], task: Task = UNWATCHED
+    path: Path, name: str, choice: Choice, steps: Sequence[ExportedStep], task: Task = UNWATCHED
 ) -> tuple[Path, ...]:
     """Write what was chosen, and give the files written; the ending of the file's name tells the format.
 
@@ -184,7 +184,7 @@ def write_choice(
     name : str
         What the document is called.
     choice : Choice
-    stretches : sequence of Stretch
+    steps : sequence of ExportedStep
         One after another; all have the same methods. A morph is of the first.
     task : Task
         Watches it, and may stop it.
@@ -197,20 +197,18 @@ def write_choice(
         If the task is to stop.
     """
     if choice.layout == "morph":
-        return _write_morph(path, choice, stretches[0], task)
-    methods = (
-        [result.method for result in stretches[0].results] if choice.layout == "sheet" else [choice.method]
-    )
-    if len(stretches) == 1:  # of a step shown by itself the title tells which it is
-        name, stretches = f"{name} {stretches[0].name}".strip(), [replace(stretches[0], name="")]
-    tracks = tuple(Track(method, tuple(each.scene(method) for each in stretches)) for method in methods)
+        return _write_morph(path, choice, steps[0], task)
+    methods = [result.method for result in steps[0].results] if choice.layout == "sheet" else [choice.method]
+    if len(steps) == 1:  # of a step shown by itself the title tells which it is
+        name, steps = f"{name} {steps[0].name}".strip(), [replace(steps[0], name="")]
+    tracks = tuple(Track(method, tuple(each.scene(method) for each in steps)) for method in methods)
     return write(path, Film(name, tracks, choice.settings), task)
 
 
-def _write_morph(path: Path, choice: Choice, stretch: Stretch, task: Task) -> tuple[Path, ...]:
+def _write_morph(path: Path, choice: Choice, step: ExportedStep, task: Task) -> tuple[Path, ...]:
     """Write the pictures alone, as `starskel morph` does."""
     morphs.check_ending(path)
-    scene = stretch.scene(choice.method)
+    scene = step.scene(choice.method)
     source, target = scene.pictures()
     part = task.part(0, 0.1)
     morph = ImageMorph(

@@ -23,7 +23,7 @@ from app.model.marks import Marks
 from starskel.errors import Cancelled, StarskelError, told
 
 if TYPE_CHECKING:
-    from app.compute.job import Job
+    from app.compute.job import BlendJob
 
 _FAULT = StarskelError(
     told("a fault in the program ended the computation"), told("change the shapes a little, or press F5")
@@ -33,9 +33,9 @@ PATIENCE = 0.05
 """Seconds after which a request of a gesture gives way to a newer one, as soon as a method is done."""
 
 
-def _job_class() -> "type[Job]":
+def _job_class() -> "type[BlendJob]":
     """Give the class that computes; it is loaded in the worker's thread, so that the window opens sooner."""
-    chosen: type[Job] = import_module("app.compute.job").Job
+    chosen: type[BlendJob] = import_module("app.compute.job").BlendJob
     return chosen
 
 

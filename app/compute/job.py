@@ -33,7 +33,7 @@ QUIET = 0.1
 """Seconds without a report of progress, at first and between two: for each the window paints at once."""
 
 
-class Job:
+class BlendJob:
     """Blends and measures, method by method.
 
     Parameters

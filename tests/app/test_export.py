@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from app.compute import Result
-from app.export import FORMATS, Choice, Layout, Stretch, write_choice
+from app.export import FORMATS, Choice, ExportedStep, Layout, write_choice
 from app.model.easing import Easing
 from starskel import Cancelled, InvalidFile, Polygon, StarskelError, blend, match, measure
 from starskel.cli import main
@@ -47,7 +47,7 @@ def test_every_layout_is_written_in_each_of_its_formats(
 ) -> None:
     path = tmp_path / f"out{ending}"
     choice = Choice(layout, "vertex", frames=5, seconds=0.2)
-    write_choice(path, "Star", choice, [Stretch(results, pictures=(PICTURE, None))])
+    write_choice(path, "Star", choice, [ExportedStep(results, pictures=(PICTURE, None))])
     files = [path] if layout == "morph" else list(paths_of(path, choice.settings))
     assert sorted(tmp_path.iterdir()) == files
     text = files[-1].read_bytes().decode("latin-1")
@@ -61,11 +61,11 @@ def test_every_layout_is_written_in_each_of_its_formats(
 
 @pytest.mark.parametrize("ending", [".gif", ".apng", ".webp", ".mp4", ".png"])
 def test_pictures_alone_are_what_the_command_writes_to_the_byte(ending: str, tmp_path: Path) -> None:
-    _, stretch = saved(tmp_path)
+    _, exported = saved(tmp_path)
     choice = Choice(
         "morph", "stitched", frames=3, eased=True, seconds=0.3, returning=True, pixels=64, rate=20
     )
-    write_choice(tmp_path / f"editor{ending}", "p", choice, [stretch])
+    write_choice(tmp_path / f"editor{ending}", "p", choice, [exported])
     words = ["--frames", "3", "--eased", "--duration", "0.3", "--returning", "--pixels", "64", "--rate", "20"]
     out = tmp_path / f"command{ending}"
     assert main(["morph", str(tmp_path / "p.json"), *words, "-o", str(out)]) == 0
@@ -74,9 +74,9 @@ def test_pictures_alone_are_what_the_command_writes_to_the_byte(ending: str, tmp
 
 @pytest.mark.parametrize("pictures", [True, False])
 def test_films_with_pictures_are_what_the_command_writes_to_the_byte(pictures: bool, tmp_path: Path) -> None:
-    _, stretch = saved(tmp_path)
+    _, exported = saved(tmp_path)
     choice = Choice("animation", "stitched", seconds=0.2, pixels=64, rate=20, shown=Shown(pictures=pictures))
-    write_choice(tmp_path / "editor.webp", "p", choice, [stretch])
+    write_choice(tmp_path / "editor.webp", "p", choice, [exported])
     words = ["--duration", "0.2", "--pixels", "64", "--rate", "20", *([] if pictures else ["--no-pictures"])]
     out = tmp_path / "command.webp"
     assert main(["render", str(tmp_path / "p.json"), *words, "-o", str(out)]) == 0
@@ -92,14 +92,14 @@ PARTS = (
 MOVED = tuple(replace(part, ring=Polygon(np.add(part.ring.vertices, (1, 2)))) for part in PARTS)
 
 
-def parted(folder: Path) -> Stretch:
+def parted(folder: Path) -> ExportedStep:
     """Save a project of parts: one red that becomes green, with a hole, one usual, one hidden."""
     source, target = KeyShape(PARTS), KeyShape((replace(MOVED[0], colour="#00FF00"), *MOVED[1:]))
     step = Step(tuple(Link(k, k) for k in range(4)))
     write_project(folder / "p.json", Project("p", (source, target), (step,)))
     made = blend(match(source.shape, target.shape, pairing=[link.ends for link in step.links]))
     result = Result("stitched", made, measure(made), np.zeros((2, 2)))
-    return Stretch((result,), step, looks=part_looks(source, step, target))
+    return ExportedStep((result,), step, looks=part_looks(source, step, target))
 
 
 @pytest.mark.parametrize("ending", [".svg", ".eps", ".ps", ".pdf", ".png"])
@@ -126,40 +126,40 @@ def test_colours_and_hidden_parts_hold_in_every_format_as_the_command_writes_it(
 
 
 def test_colours_of_parts_move_and_hidden_ones_stay_away(tmp_path: Path) -> None:
-    stretch = parted(tmp_path)
-    write_choice(tmp_path / "a.svg", "p", Choice("animation", "stitched"), [stretch])
+    exported = parted(tmp_path)
+    write_choice(tmp_path / "a.svg", "p", Choice("animation", "stitched"), [exported])
     text = (tmp_path / "a.svg").read_text()
     assert re.search(r'attributeName="fill"[^>]*values="#ff0000;[^"]*#00ff00"', text)
     assert text.count("<path") == 2
-    fills = replace(stretch, looks=tuple(replace(look, visible=False) for look in stretch.looks))
+    fills = replace(exported, looks=tuple(replace(look, visible=False) for look in exported.looks))
     with pytest.raises(StarskelError, match="all parts are hidden"):
         write_choice(tmp_path / "b.svg", "p", Choice("row", "stitched"), [fills])
     bare = Choice("row", "stitched", look=replace(USUAL, colours=()))
-    write_choice(tmp_path / "c.svg", "p", bare, [stretch])
+    write_choice(tmp_path / "c.svg", "p", bare, [exported])
     assert set(re.findall(r'fill="([^"]+)"', (tmp_path / "c.svg").read_text())) == {"none", "#6b7480"}
 
 
 def test_hidden_parts_are_not_painted_by_what_shows_pictures_alone(tmp_path: Path) -> None:
-    stretch = replace(
+    exported = replace(
         parted(tmp_path), pictures=(Picture(png_of(waves(40, 30)), (14.0, 4.0), (28.0, 8.0)), None)
     )
-    write_choice(tmp_path / "m.png", "p", Choice("morph", "stitched", frames=2, pixels=140), [stretch])
+    write_choice(tmp_path / "m.png", "p", Choice("morph", "stitched", frames=2, pixels=140), [exported])
     first = read_image(tmp_path / "m.png")[:, :140]
     assert first[..., 3].max() == 255
     assert first[:, 100:, 3].max() == 0
 
 
 def test_what_is_given_up_leaves_no_file(tmp_path: Path) -> None:
-    _, stretch = saved(tmp_path)
+    _, exported = saved(tmp_path)
     choice, steps = Choice("morph", "stitched", seconds=2.0, pixels=64), []
     task = Task(steps.append, lambda: len(steps) > 20)
     with pytest.raises(Cancelled):
-        write_choice(tmp_path / "out.gif", "p", choice, [stretch], task)
+        write_choice(tmp_path / "out.gif", "p", choice, [exported], task)
     assert steps == sorted(steps)
     assert not (tmp_path / "out.gif").exists()
 
 
-def saved(folder: Path) -> tuple[Step, Stretch]:
+def saved(folder: Path) -> tuple[Step, ExportedStep]:
     """Save a project with a picture and an easing; give its step as the editor exports it."""
     box, wide = (Polygon([(0, 0), (width, 0), (width, 3), (0, 3)]) for width in (4, 6))
     step = replace(Step.of(((0, 0),)), easing=Easing((0.4, 0.0), (0.6, 1.0)))
@@ -167,21 +167,21 @@ def saved(folder: Path) -> tuple[Step, Stretch]:
     write_project(folder / "p.json", Project("p", shapes, (step,)))
     made = blend(match(box, wide, ((0, 0),)))
     result = Result("stitched", made, measure(made), np.zeros((2, 2)))
-    return step, Stretch((result,), step, pictures=(PICTURE, None))
+    return step, ExportedStep((result,), step, pictures=(PICTURE, None))
 
 
 def test_a_row_holds_so_many_keyframes_and_a_frame_but_one(
     results: tuple[Result, ...], tmp_path: Path
 ) -> None:
-    write_choice(tmp_path / "row.svg", "Star", Choice("row", "vertex", frames=7), [Stretch(results)])
-    write_choice(tmp_path / "one.svg", "Star", Choice("frame", "vertex", t=0.25), [Stretch(results)])
+    write_choice(tmp_path / "row.svg", "Star", Choice("row", "vertex", frames=7), [ExportedStep(results)])
+    write_choice(tmp_path / "one.svg", "Star", Choice("frame", "vertex", t=0.25), [ExportedStep(results)])
     assert (tmp_path / "row.svg").read_text().count('id="frame-') == 7
     assert (tmp_path / "one.svg").read_text().count('id="frame-') == 1
     assert "t = 0.25" in (tmp_path / "one.svg").read_text()
 
 
 def test_the_sheet_has_a_row_for_each_method(results: tuple[Result, ...], tmp_path: Path) -> None:
-    write_choice(tmp_path / "sheet.svg", "Star", Choice("sheet", "vertex"), [Stretch(results)])
+    write_choice(tmp_path / "sheet.svg", "Star", Choice("sheet", "vertex"), [ExportedStep(results)])
     text = (tmp_path / "sheet.svg").read_text()
     assert ">vertex<" in text
     assert ">edge-angle<" in text
@@ -191,7 +191,7 @@ def test_an_ending_that_does_not_fit_is_refused_before_anything_is_written(
     results: tuple[Result, ...], tmp_path: Path
 ) -> None:
     with pytest.raises(InvalidFile, match="end it in"):
-        write_choice(tmp_path / "out.gif", "Star", Choice("row", "vertex"), [Stretch(results)])
+        write_choice(tmp_path / "out.gif", "Star", Choice("row", "vertex"), [ExportedStep(results)])
     assert list(tmp_path.iterdir()) == []
 
 
@@ -199,21 +199,24 @@ def test_keyframes_are_apart_as_they_are_played(results: tuple[Result, ...], tmp
     easing = Easing((0.4, 0.0), (0.6, 1.0))
     step = Step(easing=easing)
     write_choice(
-        tmp_path / "row.svg", "Star", Choice("row", "vertex", frames=5, eased=True), [Stretch(results, step)]
+        tmp_path / "row.svg",
+        "Star",
+        Choice("row", "vertex", frames=5, eased=True),
+        [ExportedStep(results, step)],
     )
     texts = re.findall("t = ([0-9.]+)", (tmp_path / "row.svg").read_text())
     assert texts == [f"{easing.t(time):.3g}" for time in (0, 0.25, 0.5, 0.75, 1)]
     assert float(texts[1]) < 0.2
     one = Choice("frame", "vertex", t=0.3, eased=True)
-    write_choice(tmp_path / "one.svg", "Star", one, [Stretch(results, step)])
+    write_choice(tmp_path / "one.svg", "Star", one, [ExportedStep(results, step)])
     assert "t = 0.3<" in (tmp_path / "one.svg").read_text()
 
 
 def test_the_whole_sequence_takes_all_steps_as_long_as_each_lasts(
     results: tuple[Result, ...], tmp_path: Path
 ) -> None:
-    there = Stretch(results, Step(duration=3.0), "A-B")
-    again = Stretch(results, Step(), "B-C")
+    there = ExportedStep(results, Step(duration=3.0), "A-B")
+    again = ExportedStep(results, Step(), "B-C")
     choice = Choice("row", "vertex", frames=5, eased=True, whole=True)
     write_choice(tmp_path / "row.svg", "Star", choice, [there, again])
     texts = re.findall("t = ([0-9.]+)", (tmp_path / "row.svg").read_text())
@@ -254,7 +257,9 @@ def test_the_command_writes_the_same_bytes(
         returning="--returning" in words,
     )
     project = example("star")
-    write_choice(tmp_path / f"editor{ending}", project.name, choice, [Stretch(results, project.steps[0])])
+    write_choice(
+        tmp_path / f"editor{ending}", project.name, choice, [ExportedStep(results, project.steps[0])]
+    )
     path = str(resource_folder() / "examples" / "star.json")
     out = str(tmp_path / f"command{ending}")
     assert main(["render", path, "--method", "vertex", *words, "-o", out]) == 0

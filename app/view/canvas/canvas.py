@@ -21,8 +21,8 @@ from app.model.marks import Side
 from app.model.placing import corners_of
 from app.session import Session
 from app.tools.tool import PICK, Key, Pointer
+from app.view.canvas.paint_context import PaintContext
 from app.view.canvas.painter import paint_canvas
-from app.view.canvas.stage import Stage
 from app.view.painting.camera import Camera
 from app.view.painting.display import Display
 from app.view.painting.drawing import painting
@@ -111,8 +111,8 @@ class Canvas(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         with painting(self) as painter:
-            stage = Stage.of(painter, self.palette(), self.camera, self._session, self.side)
-            paint_canvas(stage, self._display.layers)
+            context = PaintContext.of(painter, self.palette(), self.camera, self._session, self.side)
+            paint_canvas(context, self._display.layers)
             if self.hasFocus():
                 painter.setPen(self.palette().color(QPalette.ColorRole.Highlight))
                 painter.setBrush(Qt.BrushStyle.NoBrush)

@@ -30,7 +30,7 @@ STEPS = 100
 
 
 @dataclass(frozen=True)
-class Field:
+class NumberField:
     """A number to be set.
 
     Attributes
@@ -58,7 +58,7 @@ class Page(QWidget):
     left = Signal()
     """A number was entered: the keys belong to the canvas again."""
 
-    def __init__(self, session: Session, *fields: Field) -> None:
+    def __init__(self, session: Session, *fields: NumberField) -> None:
         super().__init__()
         self.session = session
         self._row = QHBoxLayout(self)
@@ -98,7 +98,7 @@ class Page(QWidget):
         self._followers.append(follower)
         follower(self.session.settings)
 
-    def _add_field(self, field: Field) -> None:
+    def _add_field(self, field: NumberField) -> None:
         kind = type(getattr(self.session.settings, field.name))
         box = QSpinBox()
         box.setObjectName(field.name)
@@ -157,7 +157,7 @@ class TextPage(Page):
         self._font.setFixedWidth(190)
         self.add(self.tr("Text"), self._text)
         self.add(self.tr("Font"), self._font)
-        self._add_field(Field(self.tr("Size"), "size", 1, 10_000))
+        self._add_field(NumberField(self.tr("Size"), "size", 1, 10_000))
         self._text.textChanged.connect(self._set_letters)
         self._font.currentFontChanged.connect(self._set_letters)
 

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QLabel, QSizePolicy, QStackedWidget, QToolBar
 
 from app.session import Session
 from app.view.canvas.numbers import Numbers
-from app.view.canvas.option_pages import Field, Page, TextPage, TolerancePage
+from app.view.canvas.option_pages import NumberField, Page, TextPage, TolerancePage
 from app.view.canvas.picture_page import PicturePage
 from app.view.commands.actions import Actions
 from app.view.wording.decimal_field import DecimalField
@@ -66,13 +66,13 @@ class OptionsBar(QToolBar):
             "select": Numbers(session),
             "freehand": TolerancePage(session),
             "simplify": TolerancePage(session),
-            "refine": Page(session, Field(self.tr("Vertices to add"), "added", 1, 500)),
-            "ellipse": Page(session, Field(self.tr("Vertices"), "roundness", 6, 360)),
-            "regular-polygon": Page(session, Field(self.tr("Corners"), "corners", 3, 100)),
+            "refine": Page(session, NumberField(self.tr("Vertices to add"), "added", 1, 500)),
+            "ellipse": Page(session, NumberField(self.tr("Vertices"), "roundness", 6, 360)),
+            "regular-polygon": Page(session, NumberField(self.tr("Corners"), "corners", 3, 100)),
             "star": Page(
                 session,
-                Field(self.tr("Points"), "points", 3, 100),
-                Field(self.tr("Inner radius"), "inner", 5, 95, " %", 0.01),
+                NumberField(self.tr("Points"), "points", 3, 100),
+                NumberField(self.tr("Inner radius"), "inner", 5, 95, " %", 0.01),
             ),
             "text": TextPage(session),
             "picture": PicturePage(session, self._actions),

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.export import FORMATS, Choice, Layout, Stretch
+from app.export import FORMATS, Choice, ExportedStep, Layout
 from app.view.files.look_fields import LookFields
 from app.view.files.motion_fields import MotionFields
 from app.view.files.overlay_fields import OverlayFields
@@ -43,7 +43,7 @@ class ExportDialog(QDialog):
 
     def __init__(
         self,
-        shown: Stretch,
+        shown: ExportedStep,
         player: Player,
         display: Display,
         parent: QWidget | None = None,

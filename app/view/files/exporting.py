@@ -6,7 +6,7 @@ from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QWidget
 
 from app.compute.errands import Work
-from app.export import FORMATS, Choice, Stretch, write_choice
+from app.export import FORMATS, Choice, ExportedStep, write_choice
 from app.session import Session
 from app.view.asking import accepted
 from app.view.files.dialogs import complain, may_overwrite, path_to_save
@@ -49,7 +49,7 @@ class Exporting:
             What the file may be called, without the ending.
         """
         document, whole = self._session.document, whole_sequence(self._session)
-        shown = stretches(self._session)[document.sequence.drawn_step(document.step)]
+        shown = exported_steps(self._session)[document.sequence.drawn_step(document.step)]
         choice = self._chosen(shown, whole=bool(whole))
         if choice is None:
             return None
@@ -60,7 +60,7 @@ class Exporting:
         film, chosen = document.name or name, whole if choice.whole else (shown,)
         return self._written(path, lambda task: write_choice(path, film, choice, chosen, task))
 
-    def _chosen(self, shown: Stretch, *, whole: bool) -> Choice | None:
+    def _chosen(self, shown: ExportedStep, *, whole: bool) -> Choice | None:
         dialog = ExportDialog(shown, self._player, self._display, self._window, whole=whole)
         if self._choice is not None:
             dialog.begin_with(self._choice)
@@ -92,11 +92,11 @@ def _may_write(window: QWidget, path: Path, choice: Choice) -> bool:
     return not there or may_overwrite(window, there)
 
 
-def stretches(session: Session) -> tuple[Stretch, ...]:
+def exported_steps(session: Session) -> tuple[ExportedStep, ...]:
     """Give what there is to export of each step."""
     steps, shapes = session.document.sequence.steps, session.document.sequence.shapes
     return tuple(
-        Stretch(
+        ExportedStep(
             session.blends.fresh_of(number),
             step,
             f"{letter(number)}-{letter(number + 1)}" if len(steps) > 1 else "",
@@ -107,13 +107,13 @@ def stretches(session: Session) -> tuple[Stretch, ...]:
     )
 
 
-def whole_sequence(session: Session) -> tuple[Stretch, ...]:
+def whole_sequence(session: Session) -> tuple[ExportedStep, ...]:
     """Give all steps, where there are several and all have the same methods; else none.
 
     Steps from or to a shape that is still empty do not count at both ends of the sequence.
     """
     places = [number for number, drawn in enumerate(session.document.sequence.drawn) if drawn]
-    own = stretches(session)[places[0] : places[-1] + 1] if places else ()
+    own = exported_steps(session)[places[0] : places[-1] + 1] if places else ()
     if not own:
         return ()
     methods = {result.method for result in own[0].results}

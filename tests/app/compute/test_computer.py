@@ -299,7 +299,7 @@ def test_a_fault_of_an_old_request_does_not_take_the_newest_along(
     computer: Computer, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     made: list[object] = []
-    real_job = job.Job
+    real_job = job.BlendJob
 
     def first_broken(*given: object) -> object:
         made.append(given)

@@ -5,7 +5,7 @@ from app.model.selection import Selection
 from app.tools.figure import FIGURES, Figure, FigureTool
 from app.tools.tool import Pointer, Response, ToolContext
 
-SCENE = ToolContext(Document(), Selection())
+CONTEXT = ToolContext(Document(), Selection())
 KINDS = {figure.name: figure for figure in FIGURES}
 
 
@@ -14,14 +14,14 @@ def at(x: float, y: float, *, shift: bool = False) -> Pointer:
 
 
 def drag(tool: FigureTool, start: Pointer, end: Pointer) -> Response:
-    return tool.press(SCENE, start).tool.move(SCENE, end).tool.release(SCENE, end)
+    return tool.press(CONTEXT, start).tool.move(CONTEXT, end).tool.release(CONTEXT, end)
 
 
 @pytest.mark.parametrize("figure", FIGURES, ids=list(KINDS))
 def test_a_drag_previews_and_its_release_draws_what_was_shown(figure: Figure) -> None:
-    held = FigureTool(figure).press(SCENE, at(0, 0)).tool.move(SCENE, at(8, 5)).tool
-    shown = held.overlay(SCENE, "source").figure
-    commit = held.release(SCENE, at(8, 5)).commit
+    held = FigureTool(figure).press(CONTEXT, at(0, 0)).tool.move(CONTEXT, at(8, 5)).tool
+    shown = held.overlay(CONTEXT, "source").figure
+    commit = held.release(CONTEXT, at(8, 5)).commit
     assert shown is not None
     assert commit is not None
     assert sorted(commit.document.vertices("source").tolist()) == sorted(shown.tolist())

@@ -7,7 +7,7 @@ from starskel.errors import InvalidPolygon
 from starskel.polygon import Polygon
 
 SQUARE = Document.of(source=Polygon([(0, 0), (10, 0), (10, 10), (0, 10)]))
-SCENE = ToolContext(SQUARE, Selection())
+CONTEXT = ToolContext(SQUARE, Selection())
 
 
 def at(x: float, y: float, *, shift: bool = False) -> Pointer:
@@ -23,12 +23,12 @@ def drag(context: ToolContext, start: tuple[float, float], *stops: tuple[float, 
 
 
 def test_a_press_selects_the_vertex_under_it() -> None:
-    response = SelectTool().press(SCENE, at(10.2, 0.1))
+    response = SelectTool().press(CONTEXT, at(10.2, 0.1))
     assert response.selection == Selection("source", frozenset([1]))
 
 
 def test_shift_adds_and_removes() -> None:
-    one = SelectTool().press(SCENE, at(0, 0, shift=True)).selection
+    one = SelectTool().press(CONTEXT, at(0, 0, shift=True)).selection
     assert one is not None
     two = SelectTool().press(ToolContext(SQUARE, one), at(10, 0, shift=True)).selection
     assert two == Selection("source", frozenset([0, 1]))
@@ -38,12 +38,12 @@ def test_shift_adds_and_removes() -> None:
 
 
 def test_a_drag_previews_and_its_release_commits_once() -> None:
-    held = SelectTool().press(SCENE, at(0, 0)).tool.move(SCENE, at(-3, -1)).tool.move(SCENE, at(-4, -2))
+    held = SelectTool().press(CONTEXT, at(0, 0)).tool.move(CONTEXT, at(-3, -1)).tool.move(CONTEXT, at(-4, -2))
     assert held.commit is None
-    ring = held.tool.overlay(SCENE, "source").ring
+    ring = held.tool.overlay(CONTEXT, "source").ring
     assert ring is not None
     assert ring[0].tolist() == [-4, -2]
-    response = held.tool.release(SCENE, at(-4, -2))
+    response = held.tool.release(CONTEXT, at(-4, -2))
     assert response.commit is not None
     assert response.commit.document.vertices("source")[0].tolist() == [-4, -2]
 
@@ -62,7 +62,7 @@ def test_a_click_on_one_of_many_selects_it_alone() -> None:
 
 
 def test_a_drag_that_crosses_is_refused_and_stores_nothing() -> None:
-    response = drag(SCENE, (0, 0), (5, 5), (15, 5))
+    response = drag(CONTEXT, (0, 0), (5, 5), (15, 5))
     assert response.commit is None
     assert response.refusal is not None
     assert len(response.refusal.segments) == 2
@@ -79,9 +79,9 @@ def test_all_crossings_are_pointed_at_not_only_the_first() -> None:
 
 
 def test_cancel_puts_a_dragged_vertex_back() -> None:
-    held = SelectTool().press(SCENE, at(0, 0)).tool.move(SCENE, at(-3, -1)).tool
+    held = SelectTool().press(CONTEXT, at(0, 0)).tool.move(CONTEXT, at(-3, -1)).tool
     assert isinstance(held, Dragging)
-    assert held.cancel().overlay(SCENE, "source").ring is None
+    assert held.cancel().overlay(CONTEXT, "source").ring is None
 
 
 def test_the_selection_follows_a_triangle_turned_inside_out() -> None:
@@ -95,9 +95,9 @@ def test_the_selection_follows_a_triangle_turned_inside_out() -> None:
 
 
 def test_a_rubber_band_selects_what_is_inside() -> None:
-    response = SelectTool().press(SCENE, at(-2, -2))
+    response = SelectTool().press(CONTEXT, at(-2, -2))
     assert isinstance(response.tool, RubberBand)
-    assert response.tool.move(SCENE, at(12, 5)).selection == Selection("source", frozenset([0, 1]))
+    assert response.tool.move(CONTEXT, at(12, 5)).selection == Selection("source", frozenset([0, 1]))
 
 
 def test_a_rubber_band_with_shift_adds() -> None:
@@ -107,15 +107,15 @@ def test_a_rubber_band_with_shift_adds() -> None:
 
 
 def test_a_double_click_on_an_edge_inserts_there() -> None:
-    response = SelectTool().double_press(SCENE, at(5, 0.3))
+    response = SelectTool().double_press(CONTEXT, at(5, 0.3))
     assert response.commit is not None
     assert response.commit.document.vertices("source")[1].tolist() == [5, 0]
     assert response.selection == Selection("source", frozenset([1]))
 
 
 def test_a_double_click_elsewhere_does_nothing() -> None:
-    assert SelectTool().double_press(SCENE, at(5, 5)).commit is None
-    assert SelectTool().double_press(SCENE, at(0, 0)).commit is None
+    assert SelectTool().double_press(CONTEXT, at(5, 5)).commit is None
+    assert SelectTool().double_press(CONTEXT, at(0, 0)).commit is None
 
 
 def test_delete_removes_the_selection() -> None:
@@ -144,5 +144,5 @@ def test_arrow_keys_nudge_as_one_step() -> None:
 
 
 def test_the_pointer_shows_the_vertex_or_the_place_to_insert() -> None:
-    assert SelectTool().move(SCENE, at(0.1, 0)).tool.overlay(SCENE, "source").vertex == 0
-    assert SelectTool().move(SCENE, at(5, 0.2)).tool.overlay(SCENE, "source").insertion == (5, 0)
+    assert SelectTool().move(CONTEXT, at(0.1, 0)).tool.overlay(CONTEXT, "source").vertex == 0
+    assert SelectTool().move(CONTEXT, at(5, 0.2)).tool.overlay(CONTEXT, "source").insertion == (5, 0)

@@ -21,7 +21,7 @@ CROWDED = 7.0
 
 
 @dataclass(frozen=True, eq=False)
-class Stage:
+class PaintContext:
     """One canvas while it is painted once.
 
     Attributes
@@ -54,7 +54,7 @@ class Stage:
     @classmethod
     def of(
         cls, painter: QPainter, palette: QPalette, camera: Camera, session: Session, side: Side
-    ) -> "Stage":
+    ) -> "PaintContext":
         """Take from the session what is on one side of it."""
         theme, overlay, document = theme_of(palette), session.overlay(side), session.document
         part = document.part(side)
