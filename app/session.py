@@ -7,7 +7,16 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from app.compute import USUAL_METHODS, Blends, MatchedVertex, Morphs, Proposal, matched_vertex, subjects_of
+from app.compute import (
+    USUAL_METHODS,
+    Blends,
+    MarkWish,
+    MatchedVertex,
+    Morphs,
+    Proposal,
+    matched_vertex,
+    subjects_of,
+)
 from app.model.document import Document
 from app.model.filing import Filed, document_of, project_of
 from app.model.history import History
@@ -61,10 +70,12 @@ class Session(QObject):
         self.history = History.of(Document(methods=USUAL_METHODS))
         self.blends = Blends(self)
         self.blends.suggested.connect(self._take_marks)
+        self.blends.restarted.connect(self._give_up_wish)
         self.morphs = Morphs(self)
         self.hand = Hand()
         self.file: Filed | None = None
         self.pointed: Pointed | None = None
+        self._wish: MarkWish | None = None
 
     @property
     def document(self) -> Document:
@@ -190,6 +201,7 @@ class Session(QObject):
     def cancel(self) -> None:
         """Give up the nearest thing that can be given up: gesture, notice, computation, selection."""
         if self.blends.busy and not self.hand.occupied:
+            self._give_up_wish()
             self.blends.cancel()
         else:
             self._take(self.hand.cancel())
@@ -221,11 +233,13 @@ class Session(QObject):
             self.pointed_changed.emit()
 
     def suggest_marks(self, count: int) -> None:
-        """Replace all marks by so many that suggest themselves, as soon as they are found."""
+        """Replace all marks by so many that suggest themselves, as soon as they are found.
+
+        Where the shapes change before that, the marks are those of the shapes as they are then.
+        """
         if self.finish():
-            source, target = self.document.source, self.document.target
-            if source is not None and target is not None:
-                self.blends.suggest(source, target, count)
+            self._wish = MarkWish(self.document.step, self.document.link, count)
+            self._suggest()
 
     def show_step(self, step: int) -> None:
         """Put another step of the sequence on the canvases, after the gesture under way is finished."""
@@ -309,12 +323,26 @@ class Session(QObject):
 
     @Slot(object, object)
     def _take_marks(self, proposal: Proposal, marks: Marks) -> None:
-        """Take in suggested marks, if they still are of what is worked on and no gesture has been begun."""
+        """Take in suggested marks; those that come in a gesture are asked for again when it ends."""
         there = self.document.source, self.document.target
         if there == (proposal.source, proposal.target) and not self.tool.busy:
+            self._give_up_wish()
             self.edit(partial(replace_marks, marks=marks))
+
+    @Slot()
+    def _give_up_wish(self) -> None:
+        self._wish = None
+
+    def _suggest(self) -> None:
+        """Ask for the marks that are wished, while the part is worked on that they were wished for."""
+        document, wish = self.document, self._wish
+        source, target = document.source, document.target
+        if wish is None or source is None or target is None:
+            return
+        if (document.step, document.link) == (wish.step, wish.link):
+            self.blends.suggest(source, target, wish.count)
         else:
-            self._blend(self.document)  # which waited for the marks
+            self._give_up_wish()
 
     def _take(self, hand: Hand, commit: Commit | None = None) -> None:
         """Take in what came of an event."""
@@ -352,6 +380,7 @@ class Session(QObject):
         if not saved:
             self.history = replace(self.history, saved=Document())
         self.file = file
+        self._give_up_wish()
         self.hand = self.hand.for_document(document)
         self.blends.forget()
         self.tool_changed.emit()
@@ -365,3 +394,5 @@ class Session(QObject):
 
     def _blend(self, document: Document, *, live: bool = False) -> None:
         self.blends.show(subjects_of(document.sequence), document.step, document.methods, live=live)
+        if not live:
+            self._suggest()

@@ -4,7 +4,16 @@ from app.compute.blends import USUAL_METHODS, Blends
 from app.compute.computer import Computer
 from app.compute.matched_vertex import MatchedVertex, matched_vertex
 from app.compute.morphs import Morphs
-from app.compute.request import Failure, MethodState, Proposal, Request, Result, Subject, subjects_of
+from app.compute.request import (
+    Failure,
+    MarkWish,
+    MethodState,
+    Proposal,
+    Request,
+    Result,
+    Subject,
+    subjects_of,
+)
 from starskel.blending import STEERED
 
 __all__ = [
@@ -13,6 +22,7 @@ __all__ = [
     "Blends",
     "Computer",
     "Failure",
+    "MarkWish",
     "MatchedVertex",
     "MethodState",
     "Morphs",

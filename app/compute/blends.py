@@ -4,6 +4,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from app.compute.computer import Computer
 from app.compute.request import Failure, MethodState, Proposal, Request, Result, Subject
+from app.model.marks import Marks
 from starskel import METHODS
 from starskel.blending import COMPARED
 from starskel.polygon import Polygon
@@ -50,7 +51,7 @@ class Blends(QObject):
         self._memory: dict[tuple[str, Subject], Result] = {}
         self._computer = Computer(self)
         self._computer.delivered.connect(self._take)
-        self._computer.suggested.connect(self.suggested)
+        self._computer.suggested.connect(self._pass_on)
         self._computer.restarted.connect(self.restarted)
         self._computer.progressed.connect(self.progressed)
         self._computer.busy_changed.connect(self.busy_changed)
@@ -110,7 +111,7 @@ class Blends(QObject):
         self.changed.emit()
 
     def suggest(self, source: Polygon, target: Polygon, count: int) -> None:
-        """Ask for so many marks of two polygons."""
+        """Ask for so many marks of two polygons; blends that are under way are gone on with after it."""
         self._computer.suggest(Proposal(source, target, count))
 
     def recompute(self) -> None:
@@ -176,6 +177,13 @@ class Blends(QObject):
         self.changed.emit()
         if isinstance(outcome, Result) and not behind:
             self._remember(subject.of(outcome.method), outcome)
+
+    @Slot(object, object)
+    def _pass_on(self, proposal: Proposal, marks: Marks) -> None:
+        """Give suggested marks on; unless that begins something new, go on with what it interrupted."""
+        self.suggested.emit(proposal, marks)
+        if not self.busy and (wanted := self._wanted(live=False)):
+            self._computer.request(*wanted)
 
     def _places(self, subject: Subject, method: str) -> list[int]:
         return [k for k, own in enumerate(self._subjects) if own is not None and own.of(method) == subject]

@@ -92,8 +92,17 @@ class Request:
 
 
 @dataclass(frozen=True)
+class MarkWish:
+    """So many suggested marks are wished for a link of a step, both counted from 0."""
+
+    step: int
+    link: int
+    count: int
+
+
+@dataclass(frozen=True)
 class Proposal:
-    """A request for suggested marks, at most so many."""
+    """Two polygons for which marks are to be suggested, at most so many."""
 
     source: Polygon
     target: Polygon

@@ -86,17 +86,57 @@ def test_suggested_marks_are_one_step(driver: Driver) -> None:
     assert driver.document.marks == before
 
 
-def test_suggested_marks_that_come_late_disturb_no_drawing(driver: Driver) -> None:
+def test_suggested_marks_that_come_late_wait_for_the_end_of_a_drawing(driver: Driver) -> None:
     driver.session.show_project(example("arm"))
     driver.wait_for_blends()
     before = driver.document.marks
     driver.key(Qt.Key.Key_D)
     driver.session.suggest_marks(5)
-    driver.click("target", (20, 20), (80, 20), (80, 80))
+    driver.click("target", (20, 20), (80, 20), (70, 40))
     driver.wait_for_blends()
     assert driver.document.marks == before
     assert driver.session.tool.busy
     assert not any(state.stale for state in driver.session.blends.results.values())
+    driver.key(Qt.Key.Key_Return)
+    driver.wait(lambda: driver.session.undoes == "Suggest marks")
+    assert len(driver.document.vertices("target")) == 3
+    assert 2 <= len(driver.document.marks) <= 3
+
+
+@pytest.mark.parametrize("given_up", [False, True])
+def test_marks_suggested_before_a_drag_are_those_of_the_shape_after_it(
+    squares: Driver, given_up: bool
+) -> None:
+    squares.key(Qt.Key.Key_S)
+    squares.session.suggest_marks(4)
+    squares.press("source", 90, 90)
+    squares.hover("source", 80, 70)
+    squares.hover("source", 70, 60)
+    if given_up:
+        squares.key(Qt.Key.Key_Escape)
+    squares.release("source", 70, 60)
+    squares.wait_for_blends()
+    assert squares.session.undoes == "Suggest marks"
+    assert squares.corners("source")[2] == ([90, 90] if given_up else [70, 60])
+
+
+def test_of_two_wishes_for_marks_the_newer_is_granted(squares: Driver) -> None:
+    squares.session.suggest_marks(4)
+    squares.session.suggest_marks(2)
+    squares.wait_for_blends()
+    assert len(squares.document.marks) == 2
+    squares.key(Qt.Key.Key_Z, CONTROL)
+    squares.wait_for_blends()
+    assert squares.document.marks == ()
+
+
+def test_a_wish_for_marks_can_be_given_up(squares: Driver) -> None:
+    squares.session.suggest_marks(4)
+    squares.session.cancel()
+    squares.key(Qt.Key.Key_S)
+    squares.drag("source", (90, 90), (80, 70), (70, 60))
+    squares.wait_for_blends()
+    assert squares.document.marks == ()
 
 
 def test_a_vertex_hovered_over_shows_its_partner_and_its_way(squares: Driver) -> None:
