@@ -14,8 +14,8 @@ from starskel.decomposition.ladder import by_fan, climb
 from starskel.decomposition.minimal import minimal_pieces
 from starskel.decomposition.pieces import Decomposition, Piece
 from starskel.decomposition.reduce import reduce
+from starskel.decomposition.relocate import relocated
 from starskel.decomposition.rivals import by_rivals
-from starskel.decomposition.shape import shaped
 from starskel.decomposition.thinning import refilled, thinned
 from starskel.decomposition.transfer import transfer
 from starskel.errors import NoDecomposition, told
@@ -151,7 +151,7 @@ def _convex(board: Board, whole: Piece, steiner: bool, task: Task) -> list[Piece
 def _polished(board: Board, pieces: list[Piece], task: Task) -> list[Piece]:
     """Drop Steiner vertices and pieces that are not needed; vertices in better places free more of them."""
     (pieces,) = reduce(board, [pieces], task.quiet)
-    pieces = shaped(board, pieces, task.quiet)
+    pieces = relocated(board, pieces, task.quiet)
     (pieces,) = reduce(board, [pieces], task)
     return pieces
 

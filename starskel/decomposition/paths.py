@@ -1,4 +1,4 @@
-"""Paths between two vertices inside a polygon: few links, and a wide berth of everything.
+"""Paths between two vertices inside a polygon: few links, and a large clearance.
 
 Bends may lie at sampled places: some in each triangle of a triangulation, and in the middle of each diagonal
 between triangles. Level by level, as in every graph, the paths over these places with fewest links are found;
@@ -15,7 +15,13 @@ import shapely
 
 from starskel.arrays import Flags, Floats, Indices
 from starskel.crossings import crossing_edges, meeting_places
-from starskel.decomposition.berths import are_diagonals, berths, reflex_vertices, room, rounding
+from starskel.decomposition.clearances import (
+    are_diagonals,
+    place_clearances,
+    reflex_vertices,
+    rounding,
+    segment_clearances,
+)
 from starskel.decomposition.sightlines import Places, sightlines
 from starskel.points import Points
 from starskel.rings import Rings
@@ -41,7 +47,7 @@ class _Ways:
         In which ring they lie.
     sees : (m, m) array of bool
         Between which of them a path may run straight on.
-    room : (m,) array
+    clearance : (m,) array
         The distances of the places from their polygons, infinite for starts and ends.
     reflex, corners : Rings and (r, 2) array
         The reflex vertices of each polygon without start and end, and where these are.
@@ -52,7 +58,7 @@ class _Ways:
     at: Floats
     ring: Indices
     sees: Flags
-    room: Floats
+    clearance: Floats
     reflex: Rings
     corners: Floats
     slack: Floats
@@ -102,7 +108,9 @@ def _bent(points: Points, rings: Rings, starts: Indices, ends: Indices, task: Ta
     sees[np.arange(k), k + np.arange(k)] = sees[k + np.arange(k), np.arange(k)] = False
     ring = np.empty(len(at), dtype=np.intp)
     ring[places.place] = ground.owner[places.triangle]
-    wide = np.concatenate([np.full(2 * k, np.inf), room(at[2 * k :], ring[2 * k :], points, rings, task)])
+    wide = np.concatenate(
+        [np.full(2 * k, np.inf), place_clearances(at[2 * k :], ring[2 * k :], points, rings, task)]
+    )
     slack = rounding(points, rings)
     tight = wide <= slack[ring]
     sees[tight] = sees[:, tight] = False
@@ -166,15 +174,15 @@ def _widths(ways: _Ways, searched: Indices, ahead: Indices, task: Task) -> tuple
     level = ahead[on_path]
     order = np.argsort(level, kind="stable")
     on_path, level = on_path[order], level[order]
-    berth = _berths_between(ways, on_path, level, task)
+    clearance = _clearances_between(ways, on_path, level, task)
     width, before = np.zeros(len(ways.at)), np.zeros(len(ways.at), dtype=np.intp)
     width[searched] = np.inf
     ends = np.searchsorted(level, np.arange(level.max(initial=0) + 2))
     for first, last, end in zip(ends, ends[1:], ends[2:], strict=False):
         front, found = on_path[first:last], on_path[last:end]
-        reach = np.minimum(width[front][:, None], berth[first:last, last:end])
+        reach = np.minimum(width[front][:, None], clearance[first:last, last:end])
         before[found] = front[reach.argmax(axis=0)]
-        width[found] = np.minimum(reach.max(axis=0), ways.room[found])
+        width[found] = np.minimum(reach.max(axis=0), ways.clearance[found])
     return width, before
 
 
@@ -219,12 +227,12 @@ def _without_loops(path: Floats) -> Floats:
     return path
 
 
-def _berths_between(ways: _Ways, places: Indices, level: Indices, task: Task) -> Floats:
-    """Give the berths of all links from places to those at the next level; 0 where no path may run."""
+def _clearances_between(ways: _Ways, places: Indices, level: Indices, task: Task) -> Floats:
+    """Give the clearances of all links from places to those at the next level; 0 where no path may run."""
     sees = ways.sees[np.ix_(places, places)] & (level[:, None] + 1 == level)
     a, b = np.nonzero(sees)
     ends = places[np.stack([a, b])]
-    wide = berths(ways.at[ends.T], ways.ring[ends[0]], ways.corners, ways.reflex, task)
+    wide = segment_clearances(ways.at[ends.T], ways.ring[ends[0]], ways.corners, ways.reflex, task)
     free = wide > ways.slack[ways.ring[ends[0]]]
     reach = np.zeros(sees.shape)
     reach[a[free], b[free]] = wide[free]

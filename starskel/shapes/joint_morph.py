@@ -15,7 +15,7 @@ from starskel.arrays import Complex, Floats, Indices
 from starskel.blending.certified.convex_combination import convex_combination_of
 from starskel.blending.certified.keys import Chain, Key, chains_between
 from starskel.blending.certified.smoothing import retimed
-from starskel.blending.certified.surroundings import SQUARE, Place, Surroundings, fans_put, joined
+from starskel.blending.certified.surroundings import SQUARE, SquareMap, Surroundings, fans_put, joined
 from starskel.blending.fans import Fans, fans_of
 from starskel.correspondence import Correspondence
 from starskel.decomposition import decompose_quickly
@@ -127,9 +127,9 @@ def _turn(before: Complex, after: Complex) -> float:
     return turn + 2 * np.pi if turn < HALF_ROUND - np.pi else turn
 
 
-def _place(points: Complex, turn: float) -> Place:
+def _place(points: Complex, turn: float) -> SquareMap:
     centre = complex(points.mean())
-    return Place(centre, float(np.abs(points - centre).max()) * complex(np.exp(1j * turn)))
+    return SquareMap(centre, float(np.abs(points - centre).max()) * complex(np.exp(1j * turn)))
 
 
 def _regions(rings: JointRings, layer: list[int]) -> Iterator[list[Indices]]:

@@ -10,7 +10,7 @@ import numpy as np
 from starskel.arrays import Floats
 from starskel.blending.certified.keys import Chain, Guide, Key, Linked, frames_at
 from starskel.blending.certified.smoothing import retimed, smoothed, thinned
-from starskel.blending.certified.track import Track
+from starskel.blending.certified.tracked_frames import TrackedFrames
 from starskel.blending.certified.tracking import Pull
 from starskel.outline import cross_themselves
 from starskel.task import Task
@@ -71,7 +71,7 @@ def _bridged(before: Key, after: Key, guide: Guide, pull: Pull, task: Task) -> C
     return retimed([*there, *rest[::-1]], np.array(moments))
 
 
-def _meeting(ahead: Track, back: Track, linked: Linked, task: Task) -> int | None:
+def _meeting(ahead: TrackedFrames, back: TrackedFrames, linked: Linked, task: Task) -> int | None:
     """Give the moment at which changing over makes the way shortest, of those where the link is good."""
     here, there = ahead.places, back.places[::-1]
     across = np.sqrt(((here - there) ** 2).mean(axis=(1, 2)))

@@ -29,7 +29,7 @@ _TWIST = 16.0
 
 
 @dataclass(frozen=True)
-class Place:
+class SquareMap:
     """How a shape is put into the square: z becomes (z - centre) / scale."""
 
     centre: complex
@@ -50,7 +50,7 @@ class Surroundings:
         The points: the ring, and last the square's corners; between them what else there is.
     triangles : (k, 3) array of int
         Corners, counter-clockwise.
-    places : tuple of Place
+    places : tuple of SquareMap
         How source and target were put into the square.
     turn : float
         By how much the target is turned against the source, whole turns considered.
@@ -59,7 +59,7 @@ class Surroundings:
     source: Complex
     target: Complex
     triangles: Indices
-    places: tuple[Place, Place]
+    places: tuple[SquareMap, SquareMap]
     turn: float
 
 
@@ -103,10 +103,10 @@ def _choices(pair: Correspondence, task: Task) -> Iterator[_Choice]:
         yield _Choice(edge, every[edge], float(best + twists[edge]))
 
 
-def _place(ring: Complex, way: Passage) -> Place:
+def _place(ring: Complex, way: Passage) -> SquareMap:
     """Put a ring into the unit circle so that the way out of the lid leads up."""
     centre = ring.mean()
-    return Place(complex(centre), way.outwards(ring) / 1j * float(np.abs(ring - centre).max()))
+    return SquareMap(complex(centre), way.outwards(ring) / 1j * float(np.abs(ring - centre).max()))
 
 
 def _triangulated(decomposition: Decomposition, choice: _Choice, task: Task) -> Surroundings:
@@ -156,7 +156,7 @@ def _fans(both: list[Complex], part: Indices, task: Task) -> Fans:
     return fans_of(decompose_quickly(pair, task.quiet), task)
 
 
-def fans_put(fans: Fans, places: tuple[Place, Place]) -> Fans:
+def fans_put(fans: Fans, places: tuple[SquareMap, SquareMap]) -> Fans:
     """Put fans into the square."""
     source, target = (
         as_points(place.put(as_complex(side)))
@@ -166,7 +166,7 @@ def fans_put(fans: Fans, places: tuple[Place, Place]) -> Fans:
 
 
 def joined(
-    both: list[Complex], parts: list[tuple[Indices, Fans]], places: tuple[Place, Place], turn: float
+    both: list[Complex], parts: list[tuple[Indices, Fans]], places: tuple[SquareMap, SquareMap], turn: float
 ) -> Surroundings:
     """Join parts of the square, each the rows of its rings and its fans.
 

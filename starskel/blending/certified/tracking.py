@@ -15,7 +15,7 @@ from starskel.arrays import Floats
 from starskel.blending.certified.energy import Field
 from starskel.blending.certified.keys import Linked, farthest
 from starskel.blending.certified.room import Room
-from starskel.blending.certified.track import Track
+from starskel.blending.certified.tracked_frames import TrackedFrames
 from starskel.certificate import safe
 from starskel.task import Task
 
@@ -72,7 +72,7 @@ class Pull:
         """What is asked of every step."""
         return self.room.links if self.room else safe
 
-    def track(self, wanted: Floats, task: Task) -> Track:
+    def track(self, wanted: Floats, task: Task) -> TrackedFrames:
         """Follow (k, n, 2) frames from the first on, until it is stuck: then it stays there."""
         frames, arrivals = [wanted[0]], [0]
         for at, goal in enumerate(wanted[1:]):
@@ -82,7 +82,7 @@ class Pull:
             frames += steps
             arrivals.append(len(frames) - 1)
         arrivals += [arrivals[-1]] * (len(wanted) - len(arrivals))
-        return Track(frames, np.array(arrivals))
+        return TrackedFrames(frames, np.array(arrivals))
 
     def meeting(self, *frames: Floats) -> "Pull":
         """Give the same where nothing pushes in these frames, either."""

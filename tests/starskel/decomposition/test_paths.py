@@ -12,20 +12,7 @@ from starskel.rings import Rings
 from starskel.task import UNWATCHED
 from starskel.triangulation import triangulate
 from starskel.visibility import visibility
-from tests.families import comb, spiral, subdivided, turned, two_opt
-
-RINGS = {
-    "random": two_opt(24, 1),
-    "grid": two_opt(24, 2, 6),
-    "comb": comb(4),
-    "spiral": spiral(30),
-    "rounded straight runs": turned(subdivided(two_opt(8, 6), 3), 0.4),
-}
-
-
-@pytest.fixture(params=list(RINGS))
-def ring(request):
-    return RINGS[request.param]
+from tests.families import comb
 
 
 def bends(ring, start, end):

@@ -1,4 +1,4 @@
-"""How far places and segments inside rings keep away from these; all rings are worked on together."""
+"""Clearances: how far places and segments inside rings keep away from these; for many rings together."""
 
 from collections.abc import Callable
 
@@ -45,9 +45,9 @@ def are_diagonals(points: Points, rings: Rings, starts: Indices, ends: Indices, 
     clear = np.bincount(rings.owner[others][parts], minlength=len(starts)) == 0
     reflex = reflex_vertices(points, rings, np.concatenate([starts, ends]))
     at, own = points.coordinates, np.arange(len(starts))
-    berth = berths(at[np.stack([a, b], axis=1)], own, at[reflex.rows], reflex, task)
+    clearance = segment_clearances(at[np.stack([a, b], axis=1)], own, at[reflex.rows], reflex, task)
     inside: Flags = _lead_inside(points, rings, starts, b) & clear
-    return inside & (berth > rounding(points, rings))
+    return inside & (clearance > rounding(points, rings))
 
 
 def _lead_inside(points: Points, rings: Rings, starts: Indices, towards: Indices) -> Flags:
@@ -59,14 +59,14 @@ def _lead_inside(points: Points, rings: Rings, starts: Indices, towards: Indices
     return np.asarray(np.where(reflex, left_of_next | left_of_last, left_of_next & left_of_last))
 
 
-def room(places: Floats, owner: Indices, points: Points, rings: Rings, task: Task) -> Floats:
+def place_clearances(places: Floats, owner: Indices, points: Points, rings: Rings, task: Task) -> Floats:
     """Give the distances of places from the rings that they lie in."""
     at, start = _complex(places), _complex(points.coordinates[rings.rows])
     end = start[rings.following]
     return _least(owner, rings, lambda place, edge: _distance(at[place], start[edge], end[edge]), task)
 
 
-def berths(segments: Floats, owner: Indices, corners: Floats, rings: Rings, task: Task) -> Floats:
+def segment_clearances(segments: Floats, owner: Indices, corners: Floats, rings: Rings, task: Task) -> Floats:
     """Give how far (m, 2, 2) segments are from the nearest corner of their ring; infinite without any."""
     (a, b), at = (_complex(ends) for ends in np.moveaxis(segments, 1, 0)), _complex(corners)
     return _least(owner, rings, lambda segment, corner: _distance(at[corner], a[segment], b[segment]), task)

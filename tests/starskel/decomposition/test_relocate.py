@@ -4,7 +4,7 @@ import pytest
 from starskel.decomposition.board import Board
 from starskel.decomposition.kernel import star_points
 from starskel.decomposition.ladder import by_fan, climb
-from starskel.decomposition.shape import shaped
+from starskel.decomposition.relocate import relocated
 from starskel.errors import Cancelled
 from starskel.outline import edge_lengths, signed_areas
 from starskel.points import points_of
@@ -23,7 +23,7 @@ def climbed(seed):
 
 def reshaped(seed):
     board, pieces = climbed(seed)
-    return board, shaped(board, pieces, UNWATCHED)
+    return board, relocated(board, pieces, UNWATCHED)
 
 
 def roundness(board, pieces):
@@ -38,7 +38,7 @@ def roundness(board, pieces):
 @pytest.mark.parametrize("seed", SEEDS)
 def test_the_smallest_kernels_grow(seed):
     board, before = climbed(seed)
-    after = shaped(board, before, UNWATCHED)
+    after = relocated(board, before, UNWATCHED)
     assert len(after) == len(before)
     assert (roundness(board, after).min(axis=1) >= roundness(board, before).min(axis=1)).all()
     assert (roundness(board, after) > 0).all()
@@ -62,9 +62,9 @@ def test_the_pieces_still_tile_both_polygons(seed):
 def test_what_has_no_steiner_vertex_stays_as_it_is():
     ring = points_of(two_opt(12, 1))
     pieces = [tuple(range(12))]
-    assert shaped(Board(ring, ring), pieces, UNWATCHED) is pieces
+    assert relocated(Board(ring, ring), pieces, UNWATCHED) is pieces
 
 
 def test_it_can_be_stopped():
     with pytest.raises(Cancelled):
-        shaped(*climbed(2), Task(should_stop=lambda: True))
+        relocated(*climbed(2), Task(should_stop=lambda: True))

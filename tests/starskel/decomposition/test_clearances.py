@@ -2,26 +2,18 @@ import numpy as np
 import pytest
 import shapely
 
-from starskel.decomposition.berths import are_diagonals, berths, reflex_vertices, room, rounding
+from starskel.decomposition.clearances import (
+    are_diagonals,
+    place_clearances,
+    reflex_vertices,
+    rounding,
+    segment_clearances,
+)
 from starskel.points import points_of
 from starskel.rings import Rings
 from starskel.task import UNWATCHED
 from starskel.triangulation import triangulate
 from starskel.visibility import visibility
-from tests.families import comb, spiral, subdivided, turned, two_opt
-
-RINGS = {
-    "random": two_opt(24, 1),
-    "grid": two_opt(24, 2, 6),
-    "comb": comb(4),
-    "spiral": spiral(30),
-    "rounded straight runs": turned(subdivided(two_opt(8, 6), 3), 0.4),
-}
-
-
-@pytest.fixture(params=list(RINGS))
-def ring(request):
-    return RINGS[request.param]
 
 
 def whole(ring):
@@ -38,23 +30,23 @@ def test_the_segments_that_are_diagonals_are_those_that_all_pairs_know(ring):
     assert 0 < expected.sum() < len(i)
 
 
-def test_room_is_the_distance_from_the_outline(ring):
+def test_the_clearance_of_a_place_is_the_distance_from_the_outline(ring):
     places = np.random.default_rng(3).uniform(ring.min(axis=0), ring.max(axis=0), (50, 2))
-    found = room(places, np.zeros(50, dtype=int), points_of(ring), whole(ring), UNWATCHED)
+    found = place_clearances(places, np.zeros(50, dtype=int), points_of(ring), whole(ring), UNWATCHED)
     outline = shapely.LinearRing(ring)
     np.testing.assert_allclose(found, shapely.distance(outline, shapely.points(places)), atol=1e-12)
 
 
-def test_a_berth_is_the_distance_from_the_nearest_corner_of_the_own_ring():
+def test_the_clearance_of_a_segment_is_the_distance_from_the_nearest_corner_of_the_own_ring():
     segments = np.random.default_rng(4).random((40, 2, 2))
     corners = np.random.default_rng(5).random((9, 2))
     rings = Rings(np.arange(9), np.array([4, 0, 5]))
     owner = np.arange(40) % 3
-    found = berths(segments, owner, corners, rings, UNWATCHED)
-    for segment, own, berth in zip(segments, owner, found, strict=True):
+    found = segment_clearances(segments, owner, corners, rings, UNWATCHED)
+    for segment, own, clearance in zip(segments, owner, found, strict=True):
         near = corners[rings.owner == own]
         expected = shapely.distance(shapely.LineString(segment), shapely.points(near)).min(initial=np.inf)
-        assert berth == pytest.approx(expected, abs=1e-12)
+        assert clearance == pytest.approx(expected, abs=1e-12)
     assert np.isinf(found[owner == 1]).all()
 
 

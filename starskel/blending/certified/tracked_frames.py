@@ -8,7 +8,7 @@ from starskel.arrays import Floats, Indices
 
 
 @dataclass(frozen=True, eq=False)
-class Track:
+class TrackedFrames:
     """Where following led.
 
     Attributes

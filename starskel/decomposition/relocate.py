@@ -21,7 +21,7 @@ WORTH = 1.02
 """A move has to make the smallest kernel larger by this factor."""
 
 
-def shaped(board: Board, pieces: list[Piece], task: Task) -> list[Piece]:
+def relocated(board: Board, pieces: list[Piece], task: Task) -> list[Piece]:
     """Give the same pieces, with Steiner vertices in better places.
 
     Raises
