@@ -6,6 +6,7 @@ import hashlib
 import os
 import re
 import secrets
+import shutil
 import stat
 import time
 from collections.abc import Sequence
@@ -121,6 +122,14 @@ def made_folder(path: Path) -> Path:
             told("{path} cannot be made a folder: {reason}", path=path, reason=_reason(error)), mend
         ) from error
     return path
+
+
+def room_in(folder: Path) -> int:
+    """Give how many bytes can be written in a folder, 0 where it does not exist or may not be written to."""
+    try:
+        return shutil.disk_usage(folder).free if os.access(folder, os.W_OK) else 0
+    except OSError:
+        return 0
 
 
 def _write_through(device: Path, content: bytes) -> None:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from enum import Enum
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, Qt, Slot
+from PySide6.QtCore import QCoreApplication, QStandardPaths, Qt, Slot
 from PySide6.QtGui import QImageReader
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -23,11 +23,18 @@ from app.view.asking import accepted, asked
 from app.view.files.remembered import last_folder, remember_folder
 from app.view.wording import words
 from starskel.errors import StarskelError
+from starskel.files.disk import room_in
+from starskel.limits import DOCUMENT_BYTES
 from starskel.reading.readers import ENDINGS
 
 translate = QCoreApplication.translate
 
 PROJECT_ENDING = ".json"
+
+_OWN_FOLDERS = (
+    QStandardPaths.StandardLocation.DocumentsLocation,
+    QStandardPaths.StandardLocation.HomeLocation,
+)
 
 
 class Answer(Enum):
@@ -80,18 +87,34 @@ def _path_to_read(parent: QWidget, title: str, kinds: Sequence[str]) -> Path | N
     return path
 
 
-def path_to_save(parent: QWidget, title: str, name: str, endings: Sequence[str]) -> Path | None:
-    """Ask where to write a file, where the last one was at first; None where the user thinks better of it.
+def path_to_save(
+    parent: QWidget, title: str, name: str, endings: Sequence[str], folder: Path | None = None
+) -> Path | None:
+    """Ask where to write a file; None where the user thinks better of it.
+
+    It begins in the folder given, else where the last file was.
 
     A name without an ending gets the one of the chosen kind. The dialog itself must know the ending: it asks
     before it lets a file be overwritten.
     """
-    dialog = SaveDialog(parent, title, last_folder() / f"{name}{endings[0]}", endings)
+    dialog = SaveDialog(parent, title, (folder or last_folder()) / f"{name}{endings[0]}", endings)
     if not accepted(dialog):
         return None
     path = Path(dialog.selectedFiles()[0])
     remember_folder(path.parent)
     return path
+
+
+def folder_with_room(full: Path) -> Path:
+    """Give a folder of the user's for a project that one folder would not take: the first with room for any.
+
+    Where none has so much, it is the one with the most; where nothing can be written at all, that one.
+    """
+    own = (Path(QStandardPaths.writableLocation(kind)) for kind in _OWN_FOLDERS)
+    room = {folder: room_in(folder) for folder in own if folder != full}
+    enough = (folder for folder, free in room.items() if free >= DOCUMENT_BYTES)
+    most = max(room, key=lambda folder: room[folder], default=full)
+    return next(enough, most if room.get(most) else full)
 
 
 class SaveDialog(QFileDialog):

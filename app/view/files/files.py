@@ -20,6 +20,7 @@ from app.view.files.dialogs import (
     ask_about_overtaking,
     ask_for_another_place,
     complain,
+    folder_with_room,
     path_to_open,
     path_to_save,
 )
@@ -149,8 +150,10 @@ class Files(QObject):
     @Slot()
     def save_as(self) -> bool:
         """Ask for a file and save; True where that was done."""
-        name = file_name_of(self.name)
-        path = path_to_save(self._window, self.tr("Save project"), name, [PROJECT_ENDING])
+        return self._save_at_place(file_name_of(self.name))
+
+    def _save_at_place(self, name: str, folder: Path | None = None) -> bool:
+        path = path_to_save(self._window, self.tr("Save project"), name, [PROJECT_ENDING], folder)
         return path is not None and self._save(path)
 
     @Slot()
@@ -191,6 +194,6 @@ class Files(QObject):
             self._session.save(path)
         except StarskelError as error:
             elsewhere = ask_for_another_place(self._window, path, error)
-            return elsewhere and self.save_as()
+            return elsewhere and self._save_at_place(path.stem, folder_with_room(path.parent))
         remember_file(path)
         return True

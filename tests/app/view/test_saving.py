@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QWidget
 from app.model.filing import Filed
 from app.recovery.places import Place, state_folder
 from app.recovery.record import Record, write_record
+from app.view.files.dialogs import folder_with_room
 from app.view.files.recovery_dialog import RecoveryDialog
 from app.view.start import begin
 from starskel.files.examples import example
@@ -41,14 +42,28 @@ def changed(driver: Driver) -> None:
     assert driver.session.unsaved
 
 
-def save_elsewhere(driver: Driver, expected: str) -> list[str]:
-    """Press Ctrl+S, which fails, and take the offer of another place."""
+@pytest.fixture
+def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Let the user have a home, without a folder for documents."""
+    home = tmp_path / "home"
+    home.mkdir()
+    monkeypatch.setenv("HOME", str(home))
+    return home
+
+
+def save_elsewhere(driver: Driver, home: Path, expected: str) -> list[str]:
+    """Press Ctrl+S, which fails, and take the offer of another place, which has room."""
     said: list[str] = []
+
+    def name(dialog: QWidget) -> None:
+        assert isinstance(dialog, QFileDialog)
+        assert dialog.selectedFiles() == [str(home / "a.json")]
+        name_file(dialog, "elsewhere.json")
 
     def answer(dialog: QWidget) -> None:
         assert isinstance(dialog, QMessageBox)
         said.append(f"{dialog.text()} {dialog.informativeText()}")
-        driver.in_dialog(lambda inner: name_file(inner, "elsewhere.json"))
+        driver.in_dialog(name)
         click(dialog, "Save Elsewhere…")
 
     driver.in_dialog(answer)
@@ -58,20 +73,30 @@ def save_elsewhere(driver: Driver, expected: str) -> list[str]:
 
 
 def test_on_a_full_disk_it_is_said_the_old_file_stays_and_another_place_is_offered(
-    driver: Driver, tmp_path: Path
+    driver: Driver, home: Path, tmp_path: Path
 ) -> None:
     with small_disk(tmp_path / "small") as disk:
         path = saved(driver, disk / "a.json")
         old = path.read_bytes()
         changed(driver)
         with filled(disk):
-            save_elsewhere(driver, "No space left on device")
+            save_elsewhere(driver, home, "No space left on device")
         assert path.read_bytes() == old
         assert sorted(each.name for each in disk.iterdir()) == ["a.json"]
     assert not driver.session.unsaved
     assert driver.session.path is not None
-    assert driver.session.path.name == "elsewhere.json"
+    assert driver.session.path == home / "elsewhere.json"
     assert read_project(driver.session.path).shapes[1].parts
+
+
+def test_the_place_offered_is_one_that_takes_any_project(home: Path) -> None:
+    assert folder_with_room(home / "full") == home
+    with small_disk(home / "Documents"):
+        assert folder_with_room(home / "full") == home
+    assert folder_with_room(home / "full") == home / "Documents"
+    assert folder_with_room(home / "Documents") == home
+    shutil.rmtree(home)
+    assert folder_with_room(home / "full") == home / "full"
 
 
 def test_a_read_only_disk_is_named_and_cancelling_keeps_the_document_unsaved(
@@ -97,12 +122,14 @@ def test_a_read_only_disk_is_named_and_cancelling_keeps_the_document_unsaved(
         assert driver.session.path == path
 
 
-def test_a_folder_that_has_gone_is_named_and_another_place_is_offered(driver: Driver, tmp_path: Path) -> None:
+def test_a_folder_that_has_gone_is_named_and_another_place_is_offered(
+    driver: Driver, home: Path, tmp_path: Path
+) -> None:
     (tmp_path / "folder").mkdir()
     saved(driver, tmp_path / "folder" / "a.json")
     changed(driver)
     shutil.rmtree(tmp_path / "folder")
-    save_elsewhere(driver, "No such file or directory")
+    save_elsewhere(driver, home, "No such file or directory")
     assert not driver.session.unsaved
 
 
