@@ -34,7 +34,7 @@ DRAWN: dict[Layout, layouts.Layout] = {
 }
 """What the library calls those that are drawn; in a morph there are the pictures alone."""
 
-FORMATS: dict[Layout, tuple[formats.Format, ...]] = {
+FORMATS: dict[Layout, tuple[formats.OutputFormat, ...]] = {
     **{layout: formats.formats_of(output) for layout, output in DRAWN.items()},
     "morph": tuple(
         next(each for each in formats.FORMATS if each.ending == ending) for ending in morphs.ENDINGS

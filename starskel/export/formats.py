@@ -26,7 +26,7 @@ class Writer(Protocol):
 
 
 @dataclass(frozen=True)
-class Format:
+class OutputFormat:
     """A format.
 
     Attributes
@@ -56,23 +56,23 @@ class Format:
 
 
 FORMATS = (
-    Format("SVG", ".svg", PICTURES, "svg", numbered=True),
-    Format(told("animated SVG"), ".svg", ("animation",), "svg_animation"),
-    Format("EPS", ".eps", PICTURES, "eps", numbered=True),
-    Format("PostScript", ".ps", ("frames", "row", "sheet"), "postscript"),
-    Format("PDF", ".pdf", ("frames", "row", "sheet"), "pdf"),
-    Format("PNG", ".png", PICTURES, "png", numbered=True),
-    Format("GIF", ".gif", ("animation",), "gif"),
-    Format("APNG", ".apng", ("animation",), "apng"),
-    Format("WebP", ".webp", ("animation",), "webp"),
-    Format("MP4", ".mp4", ("animation",), "mp4"),
-    Format("Lottie", ".json", ("animation",), "lottie"),
-    Format("JSON", ".json", ("numbers",), "frames"),
-    Format("CSV", ".csv", ("numbers",), "table"),
+    OutputFormat("SVG", ".svg", PICTURES, "svg", numbered=True),
+    OutputFormat(told("animated SVG"), ".svg", ("animation",), "svg_animation"),
+    OutputFormat("EPS", ".eps", PICTURES, "eps", numbered=True),
+    OutputFormat("PostScript", ".ps", ("frames", "row", "sheet"), "postscript"),
+    OutputFormat("PDF", ".pdf", ("frames", "row", "sheet"), "pdf"),
+    OutputFormat("PNG", ".png", PICTURES, "png", numbered=True),
+    OutputFormat("GIF", ".gif", ("animation",), "gif"),
+    OutputFormat("APNG", ".apng", ("animation",), "apng"),
+    OutputFormat("WebP", ".webp", ("animation",), "webp"),
+    OutputFormat("MP4", ".mp4", ("animation",), "mp4"),
+    OutputFormat("Lottie", ".json", ("animation",), "lottie"),
+    OutputFormat("JSON", ".json", ("numbers",), "frames"),
+    OutputFormat("CSV", ".csv", ("numbers",), "table"),
 )
 
 
-def formats_of(layout: Layout, numbered: bool | None = None) -> tuple[Format, ...]:
+def formats_of(layout: Layout, numbered: bool | None = None) -> tuple[OutputFormat, ...]:
     """Give the formats that can hold a layout, only those that are numbered or are not."""
     return tuple(found for found in FORMATS if layout in found.layouts and numbered in (None, found.numbered))
 
@@ -96,7 +96,7 @@ def layouts_of(path: Path) -> tuple[Layout, ...]:
     return tuple(sorted(own, key=lambda layout: layout == "animation"))
 
 
-def format_for(path: Path, layout: Layout) -> Format:
+def format_for(path: Path, layout: Layout) -> OutputFormat:
     """Give the format of a file.
 
     Raises

@@ -26,10 +26,10 @@ from starskel.arguments import choice, whole_number
 from starskel.blending.frames import Blend, checked_times
 from starskel.decomposition.pieces import Decomposition
 from starskel.errors import StarskelError
-from starskel.images.canvas import Canvas, Image, lay, trim
 from starskel.images.carriers import carriers_of
+from starskel.images.compositing import Image, Rasterizer, lay, trim
 from starskel.images.given import Size, View, checked_share, checked_size, checked_view
-from starskel.images.part import Part, Seen, part_of
+from starskel.images.part import PicturedPart, Seen, part_of
 from starskel.images.placed import Pixels, PlacedImage
 from starskel.images.precise import Precise
 from starskel.images.preview import Preview
@@ -110,7 +110,7 @@ class ImageMorph:
         task = Task(progress, should_stop)
         self.fade = fade
         self.blend = blend
-        self._parts: list[Part] = []
+        self._parts: list[PicturedPart] = []
         width = whole_number(solid, "solid", 0)
         carriers = carriers_of(blend, decomposition, task.part(0, 0.7))
         for number, carrier in enumerate(carriers):
@@ -232,20 +232,20 @@ def _check_pictures(source: object, target: object) -> None:
 
 
 def _painted(
-    canvas: Canvas[Image], parts: Sequence[Part], seen: Seen, premultiplied: bool
+    rasterizer: Rasterizer[Image], parts: Sequence[PicturedPart], seen: Seen, premultiplied: bool
 ) -> NDArray[np.uint8]:
     count = seen.size[0] * seen.size[1]
-    image = canvas.blank(count)
+    image = rasterizer.blank(count)
     covered = np.zeros(count, dtype=np.float32)
     for part in parts:
         frame = part.frame(seen)
         if frame is None:
             continue
         alone = len(parts) == 1
-        front = image if alone else canvas.blank(count)
-        canvas.paint(front, frame.spans, frame.layers, seen.share)
+        front = image if alone else rasterizer.blank(count)
+        rasterizer.paint(front, frame.spans, frame.layers, seen.share)
         if alone:
-            trim(canvas, image, frame.coverage, folded=frame.folded)
+            trim(rasterizer, image, frame.coverage, folded=frame.folded)
         else:
-            lay(canvas, image, covered, front, frame.coverage)
-    return canvas.premultiplied(image) if premultiplied else canvas.straight(image)
+            lay(rasterizer, image, covered, front, frame.coverage)
+    return rasterizer.premultiplied(image) if premultiplied else rasterizer.straight(image)

@@ -65,7 +65,7 @@ class Frame:
 
 
 @dataclass(frozen=True, eq=False)
-class Part:
+class PicturedPart:
     """A part of a shape with its pictures.
 
     Attributes
@@ -126,13 +126,15 @@ class Part:
         )
 
 
-def part_of(carrier: Carrier, source: PlacedImage | None, target: PlacedImage | None, solid: int = 0) -> Part:
+def part_of(
+    carrier: Carrier, source: PlacedImage | None, target: PlacedImage | None, solid: int = 0
+) -> PicturedPart:
     """Prepare the pictures of a part; `solid` as for `pyramid_of`."""
     pyramids = [
         pyramid_of(image, carrier.nodes_at(t), carrier.triangles, solid) if image and there else None
         for image, there, t in ((source, carrier.in_source, 0.0), (target, carrier.in_target, 1.0))
     ]
-    return Part(carrier, pyramids[0], pyramids[1], _beside(carrier))
+    return PicturedPart(carrier, pyramids[0], pyramids[1], _beside(carrier))
 
 
 def _beside(carrier: Carrier) -> Indices:

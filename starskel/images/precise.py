@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from starskel.arrays import Floats, Indices
-from starskel.images.canvas import Colours, unmultiplied
+from starskel.images.compositing import Colours, unmultiplied
 from starskel.images.lookup import BATCH, Layer
 from starskel.images.spans import Spans
 from starskel.rings import blocks

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from starskel.arrays import Indices
-from starskel.images.canvas import unmultiplied
+from starskel.images.compositing import unmultiplied
 from starskel.images.lookup import BATCH, Layer
 from starskel.images.pyramid import Packed, packed
 from starskel.images.spans import Spans

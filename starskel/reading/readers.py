@@ -26,7 +26,7 @@ class Reader(Protocol):
 
 
 @dataclass(frozen=True)
-class Format:
+class InputFormat:
     """A format that shapes are read from: its name, the endings of its files, its module in this package."""
 
     name: str
@@ -40,11 +40,11 @@ class Format:
 
 
 FORMATS = (
-    Format("SVG", (".svg",), "svg"),
-    Format("GeoJSON", (".geojson",), "geojson"),
-    Format("WKT", (".wkt",), "wkt"),
-    Format(told("picture"), (".png", ".jpg", ".jpeg", ".webp", ".bmp", ".gif"), "silhouette"),
-    Format(told("font"), (".ttf", ".otf", ".ttc"), "font"),
+    InputFormat("SVG", (".svg",), "svg"),
+    InputFormat("GeoJSON", (".geojson",), "geojson"),
+    InputFormat("WKT", (".wkt",), "wkt"),
+    InputFormat(told("picture"), (".png", ".jpg", ".jpeg", ".webp", ".bmp", ".gif"), "silhouette"),
+    InputFormat(told("font"), (".ttf", ".otf", ".ttc"), "font"),
 )
 
 ENDINGS = tuple(ending for found in FORMATS for ending in found.endings)
@@ -118,7 +118,7 @@ def read_content(
     return reading
 
 
-def format_of(path: Path) -> Format:
+def format_of(path: Path) -> InputFormat:
     """Give the format of a file by the ending of its name.
 
     Raises

@@ -6,8 +6,8 @@ from typing import Any, overload
 import shapely
 
 from starskel.arguments import items, truth
-from starskel.blending.blend import blend_pair, checked_turns, chosen_method
 from starskel.blending.frames import Blend
+from starskel.blending.methods import blend_pair, checked_turns, chosen_method
 from starskel.correspondence import Correspondence, PolygonLike, checked_pair
 from starskel.decomposition.pieces import Decomposition
 from starskel.errors import StarskelError

@@ -6,8 +6,8 @@ import numpy as np
 
 from starskel.arrays import Complex, Floats
 from starskel.blending import STEERED
-from starskel.blending.blend import blend_pair
 from starskel.blending.frames import Blend, row_masses
+from starskel.blending.methods import blend_pair
 from starskel.blending.star_skeleton import StarSkeletonBlend
 from starskel.blending.vertex import VertexBlend
 from starskel.correspondence import Correspondence

@@ -12,5 +12,5 @@ def test_the_window_opens_without_what_only_the_worker_and_exports_need() -> Non
         text=True,
         env={**os.environ, "QT_QPA_PLATFORM": "offscreen"},
     ).stdout.split()
-    late = {"scipy", "starskel.blending.blend", "starskel.quality", "starskel.export.film", "PIL"}
+    late = {"scipy", "starskel.blending.methods", "starskel.quality", "starskel.export.film", "PIL"}
     assert not late.intersection(loaded)

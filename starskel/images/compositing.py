@@ -1,4 +1,4 @@
-"""What frames are painted on, fast or with care; and how one part comes to lie over others."""
+"""Compositing: how pixels are kept and painted, fast or with care, and how one part comes to lie over others."""
 
 from collections.abc import Sequence
 from typing import Protocol, TypeVar
@@ -17,8 +17,8 @@ Colours = NDArray[np.float32]
 Image = TypeVar("Image", bound=NDArray[np.generic])
 
 
-class Canvas(Protocol[Image]):
-    """A way to keep the pixels of an image, and to paint them."""
+class Rasterizer(Protocol[Image]):
+    """A way to keep pixels, and to paint them: with care (`precise`) or fast (`preview`)."""
 
     def blank(self, count: int) -> Image:
         """Give so many transparent pixels."""
@@ -46,18 +46,22 @@ def unmultiplied(colours: Colours) -> Colours:
     return np.minimum(divided, 255, out=divided)
 
 
-def trim(canvas: Canvas[Image], image: Image, coverage: Coverage, *, folded: bool) -> None:
+def trim(rasterizer: Rasterizer[Image], image: Image, coverage: Coverage, *, folded: bool) -> None:
     """Leave of each pixel what lies inside; where nothing is folded over, all but the edges does."""
     if folded:
         outside = np.flatnonzero(~coverage.inside())
-        canvas.put(image, outside, np.zeros((len(outside), 4), dtype=np.float32))
+        rasterizer.put(image, outside, np.zeros((len(outside), 4), dtype=np.float32))
     pixels = coverage.pixels
     shares = coverage.shares[:, None].astype(np.float32)
-    canvas.put(image, pixels, canvas.colours(image, pixels) * shares)
+    rasterizer.put(image, pixels, rasterizer.colours(image, pixels) * shares)
 
 
 def lay(
-    canvas: Canvas[Image], image: Image, covered: NDArray[np.float32], front: Image, coverage: Coverage
+    rasterizer: Rasterizer[Image],
+    image: Image,
+    covered: NDArray[np.float32],
+    front: Image,
+    coverage: Coverage,
 ) -> None:
     """Lay a part over what is there.
 
@@ -66,7 +70,7 @@ def lay(
 
     Parameters
     ----------
-    canvas : Canvas
+    rasterizer : Rasterizer
     image : Image
         What is there; changed in place.
     covered : (p,) array
@@ -80,11 +84,11 @@ def lay(
     shares[coverage.pixels] = coverage.shares
     pixels = np.flatnonzero(shares)
     own, there = shares[pixels], covered[pixels]
-    colours = canvas.colours(front, pixels)
+    colours = rasterizer.colours(front, pixels)
     beside = np.minimum(there, 1 - own)
     seen = beside + (there - beside) * (1 - colours[:, 3] / 255)
-    behind = canvas.colours(image, pixels)
+    behind = rasterizer.colours(image, pixels)
     behind *= (seen / np.where(there > 0, there, 1))[:, None]
     behind += colours * own[:, None]
-    canvas.put(image, pixels, behind)
+    rasterizer.put(image, pixels, behind)
     covered[pixels] = beside + own
