@@ -1,4 +1,4 @@
-"""Compositing: how pixels are kept and painted, fast or with care, and how one part comes to lie over others."""
+"""Compositing: pixels kept and painted, fast or with care, and how one part comes to lie over others."""
 
 from collections.abc import Sequence
 from typing import Protocol, TypeVar
