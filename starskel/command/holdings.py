@@ -6,7 +6,7 @@ from pathlib import Path
 
 from starskel.command.opening import opened
 from starskel.errors import InvalidFile
-from starskel.files import project_file
+from starskel.files import project_document
 from starskel.files.documents import format_of
 from starskel.files.multi_pairs import MultiPair
 from starskel.files.pairs import ShapePair
@@ -57,7 +57,7 @@ def holdings(path: Path, tolerance: float = TOLERANCE, texts: Sequence[str] = ()
             f'{path} ends in "{path.suffix}"', f"give a file that ends in .json, {', '.join(ENDINGS)}"
         )
     kind = format_of(path)
-    shapes = _key_shapes(path) if kind == project_file.FORMAT else _ends(path)
+    shapes = _key_shapes(path) if kind == project_document.FORMAT else _ends(path)
     return Holdings(kind, tuple(NamedShape(name, shape) for name, shape in shapes))
 
 

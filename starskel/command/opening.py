@@ -6,7 +6,7 @@ from itertools import pairwise
 from pathlib import Path
 
 from starskel.errors import InvalidFile, StarskelError
-from starskel.files import image_pairs, multi_pairs, pairs, project_file
+from starskel.files import image_pairs, multi_pairs, pairs, project_document
 from starskel.files.documents import check_format
 from starskel.files.image_pairs import ImagePair, picture_of, read_image_pairs
 from starskel.files.multi_pairs import read_multi_pairs
@@ -87,8 +87,8 @@ def opened(path: Path, step: int | None = None) -> Opened:
             f"{path} holds shapes, but does not say which becomes which",
             f"make a project of two of them: starskel convert {path} OTHER -o drawing.json",
         )
-    found = check_format(path, pairs.FORMAT, multi_pairs.FORMAT, image_pairs.FORMAT, project_file.FORMAT)
-    if found == project_file.FORMAT:
+    found = check_format(path, pairs.FORMAT, multi_pairs.FORMAT, image_pairs.FORMAT, project_document.FORMAT)
+    if found == project_document.FORMAT:
         return _steps(path, step)
     if step is not None:
         raise InvalidFile(f"{path} is no project and has no steps", "choose a pair: --id ID")

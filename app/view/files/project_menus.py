@@ -15,7 +15,8 @@ from starskel.errors import StarskelError
 from starskel.files.documents import format_of
 from starskel.files.examples import example, example_names, figure_number
 from starskel.files.project import Project
-from starskel.files.project_file import FORMAT, read_project
+from starskel.files.project_document import FORMAT
+from starskel.files.project_file import read_project
 
 translate = QCoreApplication.translate
 
