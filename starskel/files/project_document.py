@@ -32,7 +32,7 @@ class ShapeEntry(msgspec.Struct, frozen=True):
 
 
 class LinkEntry(msgspec.Struct, frozen=True):
-    """A part of the shape before and the part of the shape behind that it becomes; null where there is none."""
+    """A part of the shape before and the part of the shape behind that it becomes; null for none."""
 
     source: int | None
     target: int | None
