@@ -2,15 +2,25 @@
 
 import argparse
 from pathlib import Path
-from typing import Any
 
 from starskel.blending import METHODS
 from starskel.command import values
+from starskel.command.option_groups import (
+    FILE,
+    add_json,
+    add_look,
+    add_methods,
+    add_motion,
+    add_overlays,
+    add_pair,
+    add_texts,
+    add_times,
+    add_tolerance,
+)
 from starskel.export import bounds
 from starskel.export.formats import FORMATS
 from starskel.export.layouts import LAYOUTS
 
-_FILE = "a project of the editor, or a file of pairs (polygon-pairs/1), of shapes too (polygon-multi-pairs/1)"
 _DRAWING = (
     "a drawing or map (.svg, .geojson, .wkt), a picture whose silhouette is traced (.png, .jpg), a font"
     " (.ttf, .otf), a project or a file of pairs (.json)"
@@ -28,9 +38,9 @@ def add_render(parser: argparse.ArgumentParser) -> None:
     lines = [f"  {ending:6} {name:13} {layouts}" for ending, name, layouts in names]
     parser.epilog = "\n".join(["formats, and the layouts that each can hold:", *lines])
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    _add_pair(parser)
+    add_pair(parser)
     parser.add_argument("-o", "--output", type=Path, required=True, metavar="OUT", help="the file to write")
-    _add_methods(parser, "this method; may be given again (stitched; in a sheet all)")
+    add_methods(parser, "this method; may be given again (stitched; in a sheet all)")
     parser.add_argument(
         "--layout",
         choices=LAYOUTS,
@@ -40,12 +50,12 @@ def add_render(parser: argparse.ArgumentParser) -> None:
     add_times(parser)
     parser.add_argument("--eased", action="store_true", help="space frames as they are played, with easing")
     parser.add_argument("--separate", action="store_true", help="move each part of a shape by itself")
-    _add_json(parser)
-    _add_overlays(parser.add_argument_group("what is to be seen besides"))
-    _add_look(parser.add_argument_group("how it looks (lengths in points, colours as #rrggbb)"))
+    add_json(parser)
+    add_overlays(parser.add_argument_group("what is to be seen besides"))
+    add_look(parser.add_argument_group("how it looks (lengths in points, colours as #rrggbb)"))
     motion = parser.add_argument_group("animations")
-    _add_motion(motion)
-    _add_tolerance(motion)
+    add_motion(motion)
+    add_tolerance(motion)
 
 
 def add_morph(parser: argparse.ArgumentParser) -> None:
@@ -54,7 +64,7 @@ def add_morph(parser: argparse.ArgumentParser) -> None:
         "Write frames of pictures inside shapes. OUT.gif, OUT.apng, OUT.webp and OUT.mp4 move; OUT.png holds"
         " the frames in a row, or is a file for each frame: OUT-0001.png and so on."
     )
-    _add_pair(parser, "a project with pictures, or a file of pairs of pictures (image-pairs/1)")
+    add_pair(parser, "a project with pictures, or a file of pairs of pictures (image-pairs/1)")
     parser.add_argument("-o", "--output", type=Path, required=True, metavar="OUT", help="the file to write")
     parser.add_argument(
         "--every", action="store_true", help="a file for each pair, or step of a project: OUT-ID"
@@ -75,33 +85,33 @@ def add_morph(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--paper", type=values.colour, metavar="COLOUR", help="what is behind, #rrggbb (nothing)"
     )
-    _add_json(parser)
-    _add_motion(parser.add_argument_group("what moves"))
+    add_json(parser)
+    add_motion(parser.add_argument_group("what moves"))
 
 
 def add_gallery(parser: argparse.ArgumentParser) -> None:
     """Say what gallery understands."""
     parser.description = "Write a page, index.html, and a sheet for each pair with all methods."
     parser.add_argument(
-        "files", type=Path, nargs="*", metavar="FILE", help=f"{_FILE}; without any, the program's examples"
+        "files", type=Path, nargs="*", metavar="FILE", help=f"{FILE}; without any, the program's examples"
     )
     parser.add_argument(
         "-o", "--output", type=Path, required=True, metavar="DIR", help="the folder to write into"
     )
-    _add_methods(parser)
+    add_methods(parser)
     add_times(parser, 7)
-    _add_json(parser)
+    add_json(parser)
 
 
 def add_measure(parser: argparse.ArgumentParser) -> None:
     """Say what measure understands."""
     parser.description = "Print a table over all pairs and methods."
-    parser.add_argument("file", type=Path, metavar="FILE", help=_FILE)
+    parser.add_argument("file", type=Path, metavar="FILE", help=FILE)
     parser.add_argument("--id", action="append", metavar="ID", help="only this pair; may be given again")
     parser.add_argument(
         "--step", type=values.step, metavar="N", help="only this step of a project, from 1 (all)"
     )
-    _add_methods(parser)
+    add_methods(parser)
     parser.add_argument(
         "--frames", type=values.frame_count, default=101, metavar="N", help="frames looked at (101)"
     )
@@ -119,7 +129,7 @@ def add_convert(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--shape", action="append", metavar="NAME", help="this shape; may be given again (all)"
     )
-    _add_texts(parser)
+    add_texts(parser)
     parser.add_argument(
         "--tolerance",
         type=values.within(bounds.TOLERANCE),
@@ -127,7 +137,7 @@ def add_convert(parser: argparse.ArgumentParser) -> None:
         metavar="E",
         help="how far lines may leave curves, as a part of the box of the shape (0.0005)",
     )
-    _add_json(parser)
+    add_json(parser)
 
 
 def add_info(parser: argparse.ArgumentParser) -> None:
@@ -136,7 +146,7 @@ def add_info(parser: argparse.ArgumentParser) -> None:
         "Print what files hold: their shapes with parts, holes, vertices, size, and what was mended."
     )
     parser.add_argument("files", type=Path, nargs="+", metavar="FILE", help=_DRAWING)
-    _add_texts(parser)
+    add_texts(parser)
     parser.add_argument("--json", action="store_true", help="print JSON")
 
 
@@ -176,120 +186,3 @@ def add_completion(parser: argparse.ArgumentParser) -> None:
         'Print a script that lets a shell complete words. For bash: eval "$(starskel completion bash)"'
     )
     parser.add_argument("shell", choices=("bash", "zsh", "fish", "tcsh", "powershell"))
-
-
-def _add_pair(parser: argparse.ArgumentParser, file: str = _FILE) -> None:
-    parser.add_argument("file", type=Path, metavar="FILE", help=file)
-    parser.add_argument("--id", metavar="ID", help="the pair; may be left out where there is but one")
-    parser.add_argument(
-        "--step", type=values.step, metavar="N", help="only this step of a project, from 1 (all)"
-    )
-
-
-def _add_texts(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "--text",
-        action="append",
-        default=[],
-        metavar="TEXT",
-        help="a text to set in a font, as one shape; may be given again (all letters, each a shape)",
-    )
-
-
-def _add_json(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--json", action="store_true", help="print what was written, as JSON")
-
-
-def _add_methods(
-    parser: argparse.ArgumentParser, words: str = "only this method; may be given again"
-) -> None:
-    parser.add_argument("--method", action=_Another, choices=METHODS, help=words)
-
-
-class _Another(argparse.Action):
-    """Takes one value more, which was not given before."""
-
-    def __call__(
-        self,
-        parser: argparse.ArgumentParser,
-        namespace: argparse.Namespace,
-        values: Any,
-        option_string: str | None = None,
-    ) -> None:
-        before = getattr(namespace, self.dest) or []
-        if values in before:
-            raise argparse.ArgumentError(self, f"{values} is given twice")
-        setattr(namespace, self.dest, [*before, values])
-
-
-def add_times(parser: argparse.ArgumentParser, count: int = 6) -> None:
-    """Let frames be chosen by their number or by their times."""
-    times = parser.add_mutually_exclusive_group()
-    words = f"frames, evenly from t = 0 to 1 ({count})"
-    times.add_argument("--frames", type=values.frame_count, default=count, metavar="N", help=words)
-    times.add_argument("--at", type=values.time, nargs="+", metavar="T", help="frames at these times instead")
-
-
-def _add_overlays(group: argparse._ArgumentGroup) -> None:
-    group.add_argument("--marks", action="store_true", help="the marks as numbered pins")
-    group.add_argument("--vertices", action="store_true", help="the vertices as dots")
-    group.add_argument("--pieces", action="store_true", help="the star pieces, where the method has them")
-    group.add_argument("--skeleton", action="store_true", help="the skeleton, where the method has one")
-    group.add_argument("--no-pictures", action="store_true", help="the shapes, not the pictures in them")
-    group.add_argument("--plain", action="store_true", help="no captions")
-    group.add_argument("--no-signs", action="store_true", help="no signs where frames cross themselves")
-
-
-def _add_look(group: argparse._ArgumentGroup) -> None:
-    group.add_argument(
-        "--fill",
-        type=values.colour,
-        nargs="+",
-        metavar="COLOUR",
-        help='from t = 0 to 1, mixed in between, of parts without colours of their own; or "none"',
-    )
-    group.add_argument(
-        "--stroke", type=values.colour, default="#20262e", metavar="COLOUR", help='outlines; or "none"'
-    )
-    group.add_argument(
-        "--stroke-width", type=values.within(bounds.STROKE), default=0.7, metavar="W", help="(0.7)"
-    )
-    group.add_argument(
-        "--paper", type=values.colour, metavar="COLOUR", help="what is behind (nothing; white in sheets)"
-    )
-    group.add_argument(
-        "--size", type=values.within(bounds.SIZE), metavar="S", help="the longer side of the largest frame"
-    )
-    group.add_argument(
-        "--pixels",
-        type=values.pixels,
-        metavar="N",
-        help="the longer side of pictures of pixels (two for a point)",
-    )
-    group.add_argument(
-        "--margin",
-        type=values.within(bounds.DISTANCE),
-        default=18.0,
-        metavar="M",
-        help="round everything (18)",
-    )
-    group.add_argument(
-        "--gap", type=values.within(bounds.DISTANCE), default=16.0, metavar="G", help="between frames (16)"
-    )
-
-
-def _add_motion(group: argparse._ArgumentGroup) -> None:
-    seconds, rate = values.within(bounds.DURATION), values.within(bounds.RATE)
-    group.add_argument("--duration", type=seconds, default=3.0, metavar="S", help="seconds one way (3)")
-    group.add_argument("--returning", action="store_true", help="come back again, the same way")
-    group.add_argument("--rate", type=rate, default=25.0, metavar="N", help="pictures a second (25)")
-
-
-def _add_tolerance(group: argparse._ArgumentGroup) -> None:
-    group.add_argument(
-        "--tolerance",
-        type=values.within(bounds.TOLERANCE),
-        default=0.001,
-        metavar="E",
-        help="how far a vertex may stray between keys, as a part of the box of all frames (0.001)",
-    )
