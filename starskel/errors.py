@@ -192,6 +192,10 @@ class InvalidFile(StarskelError):
         return cls(error.within(where).what, error.mend)
 
 
+class NewerFile(InvalidFile):
+    """A file that a newer program has written: nothing is wrong with it, but it cannot be read here."""
+
+
 class Cancelled(StarskelError):
     """The caller's ``should_stop`` answered True.
 

@@ -93,7 +93,7 @@ class Kept:
 
 
 def kept_records() -> tuple[Kept, ...]:
-    """Claim all records that no window holds, and give them, the newest first, damaged ones last."""
+    """Claim all records that no window holds, and give them, the newest first, the unreadable last."""
     clear_leftovers(_folder())
     places = [Place(path) for path in _folder().glob(f"*{ENDING}")]
     found = [_kept(place) for place in places if place.claim()]

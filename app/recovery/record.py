@@ -57,9 +57,11 @@ def read_record(path: Path) -> Record:
 
     Raises
     ------
+    NewerFile
+        If a newer program has written it.
     InvalidFile
         If it cannot be read or is damaged.
     """
+    project = read_project(path)
     origin = read_document(path, _Header).recovery
-    file = None if origin.path is None else Filed(Path(origin.path), origin.digest)
-    return Record(read_project(path), file)
+    return Record(project, None if origin.path is None else Filed(Path(origin.path), origin.digest))

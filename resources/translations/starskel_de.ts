@@ -3198,6 +3198,10 @@
         <translation>&amp;Später</translation>
     </message>
     <message>
+        <source>Of a newer version of starskel, which can open it</source>
+        <translation>Von einer neueren Version von starskel, die es öffnen kann</translation>
+    </message>
+    <message>
         <source>Damaged, it cannot be opened</source>
         <translation>Beschädigt, es lässt sich nicht öffnen</translation>
     </message>
@@ -3216,6 +3220,10 @@
     <message>
         <source>Discard the unsaved work on “{name}”?</source>
         <translation>Die ungespeicherte Arbeit an „{name}“ verwerfen?</translation>
+    </message>
+    <message>
+        <source>Discard what cannot be opened here?</source>
+        <translation>Verwerfen, was sich hier nicht öffnen lässt?</translation>
     </message>
     <message>
         <source>It cannot be brought back. A saved file stays as it is.</source>

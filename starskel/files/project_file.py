@@ -43,8 +43,10 @@ def read_project(path: Path) -> Project:
 
     Raises
     ------
+    NewerFile
+        If it is one of a newer version.
     InvalidFile
-        If it cannot be read, is damaged, is no project, is one of a newer version, or holds invalid things.
+        If it cannot be read, is damaged, is no project, or holds invalid things.
     """
     check_format(path, FORMAT)
     document, tally = read_up_to_date(path), Tally(str(path))

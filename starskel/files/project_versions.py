@@ -6,7 +6,7 @@ from pathlib import Path
 import msgspec
 
 from starskel.correspondence.marks import Mark
-from starskel.errors import InvalidFile, told
+from starskel.errors import InvalidFile, NewerFile, told
 from starskel.files.documents import read_document
 from starskel.files.picture import Picture, Share
 from starskel.files.project_document import (
@@ -130,12 +130,14 @@ def read_up_to_date(path: Path) -> ProjectDocument:
 
     Raises
     ------
+    NewerFile
+        If it is one of a newer version.
     InvalidFile
-        If it cannot be read, is damaged, is one of a newer version, or has not as many steps as shapes need.
+        If it cannot be read, is damaged, or has not as many steps as shapes need.
     """
     version = read_document(path, _Header).version
     if version > VERSION:
-        raise InvalidFile(
+        raise NewerFile(
             told(
                 "{path} is a project of version {version}; this program knows versions up to {newest}",
                 path=path,

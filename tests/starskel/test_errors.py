@@ -8,6 +8,7 @@ from starskel.errors import (
     InvalidFile,
     InvalidMarks,
     InvalidPolygon,
+    NewerFile,
     NoDecomposition,
     StarskelError,
     UnknownMethod,
@@ -21,6 +22,7 @@ ERRORS = [
     NoDecomposition("there is none", "allow Steiner vertices"),
     UnknownMethod("no such method", "choose another"),
     InvalidFile("it is damaged", "give another"),
+    NewerFile("it is of version 1000", "open it with a newer program"),
     Cancelled(),
 ]
 

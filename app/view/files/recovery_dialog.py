@@ -19,6 +19,7 @@ from app.recovery.places import Kept
 from app.recovery.record import Record
 from app.view.asking import asked
 from app.view.files.project_menus import project_icon
+from starskel.errors import NewerFile
 
 PICTURE = QSize(72, 72)
 """Size of a document's picture, in pixels."""
@@ -89,8 +90,13 @@ class RecoveryDialog(QDialog):
         when = QLocale().toString(time, QLocale.FormatType.ShortFormat)
         record = kept.record
         if not isinstance(record, Record):
-            damaged = self.tr("Damaged, it cannot be opened")
-            return f"{damaged}\n{kept.place.path}\n{when}"
+            newer = isinstance(record, NewerFile)
+            why = (
+                self.tr("Of a newer version of starskel, which can open it")
+                if newer
+                else self.tr("Damaged, it cannot be opened")
+            )
+            return f"{why}\n{kept.place.path}\n{when}"
         origin: Path | None = None if record.file is None else record.file.path
         name = (origin.stem if origin else record.project.name) or self.tr("Untitled")
         place = str(origin) if origin else self.tr("never saved to a file")
@@ -112,19 +118,22 @@ class RecoveryDialog(QDialog):
     def _discard(self) -> None:
         """Do away with the one chosen, after a question; without any left there is nothing to offer."""
         item, kept = self.documents.currentItem(), self._current()
-        if kept is None or not self._sure(item.text().partition("\n")[0]):
+        if kept is None or not self._sure(kept, item.text().partition("\n")[0]):
             return
         kept.place.clear()
         self.documents.takeItem(self.documents.row(item))
         if not self.documents.count():
             self.reject()
 
-    def _sure(self, name: str) -> bool:
+    def _sure(self, kept: Kept, name: str) -> bool:
         box = QMessageBox(self)
         box.setIcon(QMessageBox.Icon.Question)
         box.setWindowTitle(self.tr("Discard"))
         box.setTextFormat(Qt.TextFormat.PlainText)
-        box.setText(self.tr("Discard the unsaved work on “{name}”?").format(name=name))
+        if kept.readable:
+            box.setText(self.tr("Discard the unsaved work on “{name}”?").format(name=name))
+        else:
+            box.setText(self.tr("Discard what cannot be opened here?") + f"\n\n{name}")
         box.setInformativeText(self.tr("It cannot be brought back. A saved file stays as it is."))
         kind = QMessageBox.StandardButton
         box.setStandardButtons(kind.Discard | kind.Cancel)

@@ -1,5 +1,6 @@
 """Saving where it fails, and what is left after a crash: with real disks, real crashes and real dialogs."""
 
+import json
 import shutil
 from dataclasses import replace
 from pathlib import Path
@@ -219,6 +220,33 @@ def test_discarding_asks_and_later_leaves_all(driver: Driver) -> None:
     driver.window.actions_table["recover"].trigger()
     assert sorted(place.path.exists() for place in places) == [False, True]
     assert driver.document.source is None
+
+
+def test_what_a_newer_program_left_is_called_so_and_kept(driver: Driver) -> None:
+    place = left("arm")
+    document = json.loads(place.path.read_text())
+    newer = json.dumps({**document, "version": 1000, "shapes": {}, "recovery": ["of", "another", "kind"]})
+    place.path.write_text(newer)
+    said: list[str] = []
+
+    def keep(question: QWidget) -> None:
+        assert isinstance(question, QMessageBox)
+        said.append(question.text())
+        click(question, "Cancel")
+
+    def look(dialog: QWidget) -> None:
+        assert isinstance(dialog, RecoveryDialog)
+        said.append(dialog.documents.item(0).text())
+        assert not dialog.open_button.isEnabled()
+        driver.in_dialog(keep)
+        click(dialog, "Discard…")
+        click(dialog, "Later")
+
+    driver.in_dialog(look)
+    driver.window.actions_table["recover"].trigger()
+    assert said[0].startswith("Of a newer version of starskel")
+    assert said[1].startswith("Discard what cannot be opened here?")
+    assert place.path.read_text() == newer
 
 
 def test_without_anything_left_the_command_says_so(driver: Driver) -> None:
