@@ -112,6 +112,7 @@ def _around(board: Board, pieces: list[Piece], task: Task) -> dict[int, list[Pie
     """Give the pieces round each Steiner vertex, if all of these have kernels with an inside."""
     around: dict[int, list[Piece]] = {}
     for piece in pieces:
+        task.reach(0)
         for vertex in piece:
             if vertex >= board.n:
                 around.setdefault(vertex, []).append(piece)

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.arrays import Complex, Floats, Indices
-from starskel.decomposition.board import Board
+from starskel.decomposition.board import AT_ONCE, Board
 from starskel.decomposition.clipping import Convex, boxes
 from starskel.decomposition.half_planes import Lines, left_of_all
 from starskel.decomposition.pieces import Piece, chain_after
-from starskel.rings import Rings
+from starskel.rings import Rings, blocks
 from starskel.task import Task
 
 WAYS = 8
@@ -39,7 +39,16 @@ class Tries:
 
 
 def tried(board: Board, around: dict[int, list[Piece]], stride: float, task: Task) -> Tries:
-    """Try places round all vertices, all at once: a few large array operations."""
+    """Try places round all vertices, as many at once as one waits for when it is told to stop."""
+    stars = list(around.items())
+    sizes = np.array([sum(map(len, near)) for _, near in stars])
+    found = [_tried(board, dict(stars[part]), stride, task) for part in blocks(sizes, AT_ONCE)]
+    every = zip(*((tries.places, tries.gains, tries.stayed, tries.moved) for tries in found), strict=True)
+    return Tries(*(np.concatenate(parts, axis=1) for parts in every))
+
+
+def _tried(board: Board, around: dict[int, list[Piece]], stride: float, task: Task) -> Tries:
+    task.reach(0)
     chains = Rings.of([chain_after(piece, vertex) for vertex, near in around.items() for piece in near])
     counts = np.array([len(near) for near in around.values()])
     owner = np.repeat(np.arange(len(counts)), counts)

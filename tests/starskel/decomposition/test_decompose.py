@@ -9,7 +9,6 @@ from starskel.decomposition.board import Board
 from starskel.decomposition.ladder import by_fan, climb
 from starskel.decomposition.overlay import crossings, overlay
 from starskel.decomposition.pieces import Piece, cost, from_least
-from starskel.decomposition.reduce import union
 from starskel.decomposition.verify import faults
 from starskel.errors import Cancelled, NoDecomposition
 from starskel.points import points_of
@@ -258,12 +257,6 @@ class TestProof:
             target_origins=right.target_origins[:1],
         )
         assert any("not seen whole" in fault for fault in faults(whole))
-
-
-def test_pieces_that_touch_at_a_vertex_besides_their_edge_are_not_merged():
-    assert union((0, 1, 2, 3), (2, 1, 4, 5)) == (0, 1, 4, 5, 2, 3)
-    assert union((0, 1, 2, 3), (2, 1, 4, 0)) is None
-    assert union((0, 1, 2, 3, 4, 5), (2, 1, 6, 4, 3, 7)) is None
 
 
 def test_a_piece_seen_from_one_vertex_alone_is_not_reshaped():

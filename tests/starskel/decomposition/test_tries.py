@@ -3,10 +3,12 @@ import pytest
 
 from starskel.decomposition.board import Board
 from starskel.decomposition.kernel import star_points
+from starskel.decomposition.ladder import by_fan, climb
 from starskel.decomposition.tries import kernels_of_chains, tried
 from starskel.points import points_of
 from starskel.rings import Rings
-from starskel.task import UNWATCHED
+from starskel.task import UNWATCHED, Task
+from tests.families import two_opt
 
 SQUARE = np.array([(0, 0), (2, 0), (2, 2), (0, 2)], dtype=float)
 
@@ -34,6 +36,21 @@ def test_the_middles_and_gains_are_those_of_the_pieces_with_the_vertex_there():
         np.testing.assert_allclose(tries.moved[side], middles)
         assert tries.gains[side, 0] == pytest.approx(min(better) / min(worth))
     assert tries.gains.max() > 1.5
+
+
+def test_vertices_tried_a_few_at_a_time_fare_as_all_at_once(monkeypatch):
+    ring = two_opt(80, 1)
+    board = Board(points_of(ring), points_of(two_opt(80, 1001)))
+    (pieces,) = climb(board, [tuple(range(80))], by_fan, UNWATCHED)
+    around = {v: [p for p in pieces if v in p] for v in range(80, len(board)) if any(v in p for p in pieces)}
+    together = tried(board, around, 0.25, UNWATCHED)
+    monkeypatch.setattr("starskel.decomposition.tries.AT_ONCE", 40)
+    polls: list[None] = []
+    apart = tried(board, around, 0.25, Task(should_stop=lambda: bool(polls.append(None))))
+    assert len(around) > 5
+    assert len(polls) > sum(map(len, around.values())) * 3 // 40
+    for name in ("places", "gains", "stayed", "moved"):
+        np.testing.assert_array_equal(getattr(together, name), getattr(apart, name))
 
 
 def kernels(board, side, pieces):
