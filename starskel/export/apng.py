@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from starskel.export.film import Film
 from starskel.export.pixels import durations, moving
-from starskel.files.raster import animation_of
+from starskel.files.raster_writing import animation_of
 from starskel.task import Task
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from starskel.export import bounds
 from starskel.export.pixels import check_size
 from starskel.files.disk import wrong_ending
-from starskel.files.raster import MOVING, write_animation, write_image
+from starskel.files.raster_writing import MOVING, write_animation, write_image
 from starskel.files.video import VIDEO, write_video
 from starskel.images.morph import ImageMorph
 from starskel.images.placed import Pixels

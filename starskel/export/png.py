@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from starskel.export.film import Film
 from starskel.export.pixels import pixels_of
-from starskel.files.raster import png_of
+from starskel.files.raster_writing import png_of
 from starskel.task import Task
 
 

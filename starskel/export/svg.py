@@ -8,7 +8,7 @@ from xml.sax.saxutils import escape, quoteattr
 from starskel.arrays import Floats
 from starskel.export.film import Film
 from starskel.files.decimals import decimal
-from starskel.files.raster import png_of
+from starskel.files.raster_writing import png_of
 from starskel.sheet.drawing import Area, Disc, Drawing, Group, Image, Item, Label, Line, Stroke
 from starskel.task import Task
 

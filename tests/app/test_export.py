@@ -17,7 +17,8 @@ from starskel.files.part_looks import part_looks
 from starskel.files.picture import Picture
 from starskel.files.project import Project
 from starskel.files.project_file import write_project
-from starskel.files.raster import png_of, read_image
+from starskel.files.raster import read_image
+from starskel.files.raster_writing import png_of
 from starskel.files.step import Link, Step
 from starskel.sheet.drawing import Stroke
 from starskel.sheet.keyframe import Shown

@@ -25,7 +25,8 @@ from starskel.files.pairs import read_pairs
 from starskel.files.picture import Picture
 from starskel.files.project import Project
 from starskel.files.project_file import project_content, read_project
-from starskel.files.raster import image_of, png_of
+from starskel.files.raster import image_of
+from starskel.files.raster_writing import png_of
 from starskel.files.step import Link, Step
 from starskel.polygon import Polygon
 from starskel.reading.readers import read_content

@@ -11,7 +11,8 @@ from starskel.files.key_shape import KeyShape
 from starskel.files.picture import Picture
 from starskel.files.project import Project
 from starskel.files.project_file import write_project
-from starskel.files.raster import png_of, read_image, write_image
+from starskel.files.raster import read_image
+from starskel.files.raster_writing import png_of, write_image
 from starskel.files.step import Link, Step
 from starskel.polygon import Polygon
 from tests.starskel.files.moving import read_animation

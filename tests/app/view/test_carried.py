@@ -10,7 +10,7 @@ from app.view.panels.frame_view import FrameView
 from starskel.files.key_shape import KeyShape
 from starskel.files.picture import Picture
 from starskel.files.project import Project
-from starskel.files.raster import png_of
+from starskel.files.raster_writing import png_of
 from starskel.files.step import Step
 from starskel.polygon import Polygon
 from tests.app.driver import Driver

@@ -23,7 +23,7 @@ from app.view.main_window import MainWindow
 from starskel.files.examples import example
 from starskel.files.pairs import ShapePair, write_pairs
 from starskel.files.project_file import read_project
-from starskel.files.raster import write_image
+from starskel.files.raster_writing import write_image
 from tests.app.driver import CONTROL, SHIFT, SQUARE, Driver, name_file, type_name
 from tests.starskel.images.drawn import waves
 

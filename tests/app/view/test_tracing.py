@@ -13,7 +13,7 @@ from app.model import placing
 from app.model.selection import Selection
 from app.view.pictures.trace_dialog import TraceDialog
 from starskel.files.picture import Picture
-from starskel.files.raster import png_of
+from starskel.files.raster_writing import png_of
 from tests.app.driver import CONTROL, SQUARE, Driver
 
 SIZE = 80

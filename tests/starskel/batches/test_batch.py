@@ -21,7 +21,7 @@ from starskel.command.batches.journal import FORMAT, Journal, Terms
 from starskel.command.batches.work import PackedJob
 from starskel.errors import InvalidFile
 from starskel.files.pairs import ShapePair, write_pairs
-from starskel.files.raster import write_image
+from starskel.files.raster_writing import write_image
 from starskel.polygon import Polygon
 
 WORDS = ["--methods", "vertex", "--frames", "11"]

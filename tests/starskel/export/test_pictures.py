@@ -13,7 +13,7 @@ from starskel.export.animation import Animation
 from starskel.export.formats import FORMATS
 from starskel.export.pixels import pixels_of
 from starskel.export.write import write
-from starskel.files import raster
+from starskel.files import raster_writing
 from starskel.sheet.drawing import Area, Disc, Drawing, Line, Stroke
 from starskel.sheet.keyframe import Shown
 from starskel.sheet.style import Look
@@ -173,7 +173,7 @@ def test_equal_films_give_equal_pictures(found, tmp_path):
 
 
 def test_an_animation_that_would_fill_the_memory_is_refused(tmp_path, monkeypatch):
-    monkeypatch.setattr(raster, "MOVING_PIXELS", 10_000)
+    monkeypatch.setattr(raster_writing, "MOVING_PIXELS", 10_000)
     with pytest.raises(InvalidFile, match="too many pixels: 10 times 160"):
         write(tmp_path / "film.gif", arm(**FEW))
     assert not list(tmp_path.iterdir())

@@ -17,7 +17,7 @@ from starskel.files.image_pairs import read_image_pairs
 from starskel.files.multi_pairs import read_multi_pairs
 from starskel.files.pairs import read_pairs
 from starskel.files.project_file import read_project
-from starskel.files.raster import write_image
+from starskel.files.raster_writing import write_image
 from starskel.reading.readers import read_content
 from tests.starskel.images.drawn import waves
 from tests.watched import opened_by
