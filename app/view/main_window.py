@@ -18,13 +18,13 @@ from app.view.canvas.options import SWITCHES, OptionsBar
 from app.view.commands.actions import Actions
 from app.view.commands.menus import fill_menu_bar, layers_menu, methods_menu, tool_bar, tool_palette
 from app.view.commands.table import LANGUAGES, PALETTE
-from app.view.convenience import Convenience
 from app.view.files.drops import Drops
 from app.view.files.files import Files
 from app.view.files.importing import Importing
 from app.view.files.project_menus import ExamplesMenu, RecentMenu
 from app.view.files.recovering import Recovering
 from app.view.files.remembered import remember_theme
+from app.view.help import Help
 from app.view.lists.history_list import HistoryList
 from app.view.lists.marks_table import MarksPanel
 from app.view.lists.partnering import Partnering
@@ -39,6 +39,7 @@ from app.view.status import Status
 from app.view.timeline.player import Player
 from app.view.timeline.timeline import Timeline
 from app.view.watching import LAYERS, Watching
+from app.view.window_state import keep_window
 from app.view.wording import language, words
 
 SIZE = QSize(1280, 860)
@@ -65,7 +66,7 @@ class MainWindow(QMainWindow):
         self.partnering = Partnering(self, session)
         self.backgrounds = Backgrounds(self, session, self.canvases)
         self.watching = Watching(self, session, self.player, self.display, self.canvases)
-        self.convenience = Convenience(self, session)
+        self.help = Help(self)
         self.actions_table = Actions(self, self._handlers())
         self.sequence = SequenceBar(session, self.player, self.sequencing, self.actions_table)
         self.panels = Panels(session, self.player, self.display)
@@ -97,7 +98,8 @@ class MainWindow(QMainWindow):
             "history": self._dock(self.history, self.tr("History"), "history"),
         }
         self.partnering.wanted.connect(self._docks["parts"].show)
-        self.convenience.begin(self.actions_table)
+        self.help.begin(self.actions_table)
+        self.actions_table[f"language-{language.chosen()}"].setChecked(True)
         self._take_drops()
         self.setStatusBar(self._status())
         self.resize(SIZE.boundedTo(self.screen().availableSize() - FRAME))
@@ -180,7 +182,7 @@ class MainWindow(QMainWindow):
             **self.edits.handlers(),
             **self.partnering.handlers(),
             **self.sequencing.handlers(),
-            **self.convenience.handlers(),
+            **self.help.handlers(),
             **self.backgrounds.handlers(),
             **dict.fromkeys(PALETTE, self._choose_tool),
             **dict.fromkeys(SWITCHES, self._switch_snapping),
@@ -305,7 +307,7 @@ class MainWindow(QMainWindow):
     def closeEvent(self, event: QCloseEvent) -> None:
         if self.files.may_go():
             self.player.pause()
-            self.convenience.keep()
+            keep_window(self, self.actions_table, self.session.path)
             self.importing.close()
             self.session.close()
             self.recovering.close()

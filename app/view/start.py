@@ -16,6 +16,7 @@ from app.view.faults import Faults
 from app.view.files.remembered import last_file, theme_name
 from app.view.main_window import MainWindow
 from app.view.painting.theme import DARK, LIGHT, Theme, apply_theme
+from app.view.window_state import restore_window
 from app.view.wording.language import chosen, speak, spoken
 
 FIRST_EXAMPLE = "arm"
@@ -32,7 +33,7 @@ def run(path: Path | None) -> int:
     with crashes_logged(), faults_logged(), collecting_here():
         window = MainWindow(Session())
         Faults(window, window.recovering.keeper).watch()
-        window.convenience.restore()
+        restore_window(window, window.actions_table)
         window.show()
         begin(window, path)
         status = application.exec()

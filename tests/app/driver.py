@@ -1,6 +1,7 @@
 """A person at the window."""
 
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QPoint, Qt, QTimer
@@ -12,6 +13,11 @@ from pytestqt.qtbot import QtBot
 from app.model.document import Document
 from app.model.marks import Side
 from app.view.main_window import MainWindow
+from starskel.files.key_shape import KeyShape
+from starskel.files.project import Project
+from starskel.files.project_file import write_project
+from starskel.files.step import Step
+from starskel.polygon import Polygon
 
 LEFT = Qt.MouseButton.LeftButton
 MIDDLE = Qt.MouseButton.MiddleButton
@@ -133,3 +139,10 @@ def type_name(dialog: QWidget, name: str) -> None:
     field.selectAll()
     QTest.keyClicks(field, name)
     QTest.keyClick(field, Qt.Key.Key_Return)
+
+
+def square_project(path: Path) -> Path:
+    """Write a project whose key shapes are both the square."""
+    shape = KeyShape.of(Polygon(SQUARE))
+    write_project(path, Project(path.stem, (shape, shape), (Step.of(),), ("vertex",)))
+    return path

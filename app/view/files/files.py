@@ -40,9 +40,7 @@ from starskel.files.pairs import ShapePair, read_pairs
 from starskel.files.project import Project
 from starskel.reading.readers import ENDINGS
 
-if (
-    TYPE_CHECKING
-):  # what exports or reads pictures is loaded when that is wanted, so that the window opens sooner
+if TYPE_CHECKING:  # loaded when it is wanted, so that the window opens sooner
     from app.view.files.exporting import Exporting
     from starskel.files.image_pairs import ImagePair
 

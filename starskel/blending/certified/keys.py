@@ -69,9 +69,7 @@ def chains_between(  # noqa: PLR0913, PLR0917 -- the last two are for special ca
     for key in keys:
         task.reach(0.5)
         good.append(sound(key.frame) and linked(key.frame, key.frame))
-    good[0] = good[-1] = (
-        True  # polygons are simple, whatever rounding makes of vertices inserted on their edges
-    )
+    good[0] = good[-1] = True  # polygons are simple, whatever rounding makes of vertices on their edges
     chains = [[keys[0]]]
     for before, after in pairwise(np.flatnonzero(good)):
         if after - before > 1:

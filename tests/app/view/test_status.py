@@ -1,7 +1,14 @@
+from pathlib import Path
+
 import pytest
+from PySide6.QtCore import QUrl
+from PySide6.QtGui import QDesktopServices
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QToolButton
 
 from app.view.main_window import MainWindow
 from app.view.status import Status, seconds_left
+from tests.app.driver import LEFT, Driver
 
 
 @pytest.mark.parametrize(
@@ -26,3 +33,17 @@ def test_a_narrow_window_gets_fewer_sentences_of_the_hint(window: MainWindow) ->
     assert whole.startswith(hint.text())
     assert hint.text().endswith(".")
     assert len(hint.text()) < len(whole)
+
+
+def test_the_folder_of_an_export_is_a_click_away(
+    driver: Driver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened: list[QUrl] = []
+    monkeypatch.setattr(QDesktopServices, "openUrl", opened.append)
+    button = driver.window.findChild(QToolButton, "open-folder")
+    assert button is not None
+    assert not button.isVisible()
+    driver.window.files.exported.emit(tmp_path / "row.svg")
+    assert "row.svg" in driver.window.statusBar().currentMessage()
+    QTest.mouseClick(button, LEFT)
+    assert [url.toLocalFile() for url in opened] == [str(tmp_path)]
