@@ -16,10 +16,11 @@ from PIL import Image
 from PySide6.QtCore import QBuffer, QCoreApplication, QEvent, QEventLoop
 from PySide6.QtWidgets import QApplication, QWidget
 
+from app.model.marks import SIDES
 from app.session import Session
 from app.tools.tool import Pointer
 from app.view.files.export_dialog import ExportDialog
-from app.view.files.exporting import stretches
+from app.view.files.exporting import exported_steps
 from app.view.files.shape_chooser import ShapeChooser
 from app.view.main_window import MainWindow
 from app.view.painting.display import Layers
@@ -72,14 +73,14 @@ def main(folder: Path) -> None:
 def take_editor(window: MainWindow, folder: Path) -> None:
     open_example(window, "arm", 0.45)
     store(grabbed(window), folder / "editor.png")
-    export = ExportDialog(stretches(window.session)[0], window.player, window.display, window)
+    export = ExportDialog(exported_steps(window.session)[0], window.player, window.display, window)
     take_dialog(export, folder / "export.png")
-    reading = read_content(LEAVES, Path("drawing.svg"))
-    chooser = ShapeChooser("drawing.svg", reading, ("source", "target"), window, optional=False)
+    drawing = Path("drawing.svg")
+    chooser = ShapeChooser(drawing, read_content(LEAVES, drawing), SIDES, window, optional=False)
     take_dialog(chooser, folder / "chooser.png")
     open_example(window, "hand", 0.5)
     window.session.choose_tool("mark")
-    for side, vertex in (("source", 35), ("target", 15)):
+    for side, vertex in zip(SIDES, (35, 15), strict=True):
         x, y = window.session.document.vertices(side)[vertex].tolist()
         for act in (window.session.move, window.session.press, window.session.release):
             act(Pointer(side, (x, y), 1.0))

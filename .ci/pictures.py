@@ -22,7 +22,7 @@ from app.model.marks import Side
 from app.session import Session
 from app.tools.tool import Pointer
 from app.view.files.export_dialog import ExportDialog
-from app.view.files.exporting import stretches
+from app.view.files.exporting import exported_steps
 from app.view.main_window import MainWindow
 from app.view.painting.display import Layers
 from app.view.painting.theme import LIGHT, apply_theme
@@ -58,7 +58,7 @@ def editor_pictures(window: MainWindow) -> None:
 def export(window: MainWindow) -> QWidget:
     """Show the dialog that exports an arm."""
     show(window, "arm", 0.45, Layers())
-    dialog = ExportDialog(stretches(window.session)[0], window.player, window.display, window)
+    dialog = ExportDialog(exported_steps(window.session)[0], window.player, window.display, window)
     dialog.resize(dialog.sizeHint())
     return dialog
 
