@@ -19,8 +19,8 @@ from PySide6.QtWidgets import QApplication, QWidget
 from app.model.marks import SIDES
 from app.session import Session
 from app.tools.tool import Pointer
-from app.view.files.export_dialog import ExportDialog
-from app.view.files.exporting import exported_steps
+from app.view.files.export.dialog import ExportDialog
+from app.view.files.export.exporting import exported_steps
 from app.view.files.shape_chooser import ShapeChooser
 from app.view.main_window import MainWindow
 from app.view.painting.display import Layers

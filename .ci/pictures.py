@@ -21,8 +21,8 @@ from PySide6.QtWidgets import QApplication, QWidget
 from app.model.marks import Side
 from app.session import Session
 from app.tools.tool import Pointer
-from app.view.files.export_dialog import ExportDialog
-from app.view.files.exporting import exported_steps
+from app.view.files.export.dialog import ExportDialog
+from app.view.files.export.exporting import exported_steps
 from app.view.main_window import MainWindow
 from app.view.painting.display import Layers
 from app.view.painting.theme import LIGHT, apply_theme

@@ -41,7 +41,7 @@ from starskel.files.project import Project
 from starskel.reading.readers import ENDINGS
 
 if TYPE_CHECKING:  # loaded when it is wanted, so that the window opens sooner
-    from app.view.files.exporting import Exporting
+    from app.view.files.export.exporting import Exporting
     from starskel.files.image_pairs import ImagePair
 
 AnyFile: TypeAlias = "PairFile[ShapePair] | PairFile[MultiPair] | PairFile[ImagePair]"
@@ -158,7 +158,7 @@ class Files(QObject):
     def export(self) -> None:
         """Ask what to export and where, and write it."""
         if self._exporting is None:  # not loaded before, so that the window opens sooner
-            made = import_module("app.view.files.exporting").Exporting
+            made = import_module("app.view.files.export.exporting").Exporting
             self._exporting = made(self._window, self._session, self._player, self._display)
         if (path := self._exporting.export(file_name_of(self.name))) is not None:
             self.exported.emit(path)

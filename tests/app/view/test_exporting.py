@@ -21,9 +21,9 @@ from PySide6.QtWidgets import (
 
 from app.export import Choice
 from app.playback import Repeat
-from app.view.files.export_dialog import ExportDialog
-from app.view.files.look_fields import LookFields
-from app.view.files.times_field import TimesField
+from app.view.files.export.dialog import ExportDialog
+from app.view.files.export.look_fields import LookFields
+from app.view.files.export.times_field import TimesField
 from app.view.files.waiting import Waiting
 from starskel.easing import Easing
 from starskel.files.examples import example

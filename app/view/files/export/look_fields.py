@@ -5,7 +5,7 @@ from enum import Enum
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QHBoxLayout, QWidget
 
-from app.view.files.colour_button import ColourButton
+from app.view.files.export.colour_button import ColourButton
 from app.view.wording.decimal_field import DecimalField
 from starskel.sheet.drawing import Stroke
 from starskel.sheet.style import INK, OUTLINE, PAPER, USUAL, WAY, Look

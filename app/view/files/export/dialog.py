@@ -15,10 +15,10 @@ from PySide6.QtWidgets import (
 )
 
 from app.export import FORMATS, Choice, ExportedStep, Layout
-from app.view.files.look_fields import LookFields
-from app.view.files.motion_fields import MotionFields
-from app.view.files.overlay_fields import OverlayFields
-from app.view.files.times_field import TimesField
+from app.view.files.export.look_fields import LookFields
+from app.view.files.export.motion_fields import MotionFields
+from app.view.files.export.overlay_fields import OverlayFields
+from app.view.files.export.times_field import TimesField
 from app.view.painting.display import Display
 from app.view.timeline.player import Player
 from app.view.wording import words

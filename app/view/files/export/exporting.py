@@ -10,7 +10,7 @@ from app.export import FORMATS, Choice, ExportedStep, write_choice
 from app.session import Session
 from app.view.asking import accepted
 from app.view.files.dialogs import complain, may_overwrite, path_to_save
-from app.view.files.export_dialog import ExportDialog
+from app.view.files.export.dialog import ExportDialog
 from app.view.files.waiting import Waiting
 from app.view.painting.display import Display
 from app.view.timeline.player import Player
