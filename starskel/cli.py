@@ -43,7 +43,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         import_module("argcomplete").autocomplete(parser)
     arguments = parser.parse_args(argv)
     try:
-        status: int = import_module(f"starskel.command.{arguments.verb}").run(arguments)
+        status: int = import_module(f"starskel.command.verbs.{arguments.verb}").run(arguments)
         sys.stdout.flush()
     except StarskelError as error:
         print(f"starskel: {error}", file=sys.stderr)
@@ -98,4 +98,4 @@ _VERBS = (
     ("completion", "print the script that lets a shell complete words", options.add_completion),
     ("measure", "print what is measured of every pair and method", options.add_measure),
 )
-"""Each verb, what it does, and what it understands; the module of its name in starskel.command runs it."""
+"""Each verb, what it does, and what it understands; the module of its name in starskel.command.verbs runs it."""

@@ -179,7 +179,7 @@ def test_a_folder_that_cannot_be_made_is_told(capsys):
 
 
 def test_without_files_the_examples_are_shown(monkeypatch):
-    monkeypatch.setattr("starskel.command.gallery.example_names", lambda: ("star",))
+    monkeypatch.setattr("starskel.command.verbs.gallery.example_names", lambda: ("star",))
     assert main(["gallery", "-o", "out", "--frames", "2"]) == 0
     page = Page(Path("out", "index.html"))
     assert len(page.having("section", "id")) == 1
