@@ -98,4 +98,4 @@ _VERBS = (
     ("completion", "print the script that lets a shell complete words", options.add_completion),
     ("measure", "print what is measured of every pair and method", options.add_measure),
 )
-"""Each verb, what it does, and what it understands; the module of its name in starskel.command.verbs runs it."""
+"""Each verb, what it does, and what it understands; the module of its name in command/verbs runs it."""
