@@ -1,16 +1,15 @@
 """Convex cells of triangulated rings: the fewer they are, the fewer steps views take through them.
 
-Triangles are joined over diagonals as long as all corners stay convex (Hertel and Mehlhorn 1983, "Fast
-Triangulation of Simple Polygons"), which leaves at most four times as many cells as the fewest possible.
+Triangles are joined over all diagonals but those that split reflex corners: one at each, or two where none
+splits it into two convex angles. So there are at most four times as many cells as the fewest possible, as
+after joining one by one (Hertel and Mehlhorn 1983, "Fast Triangulation of Simple Polygons").
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
-from starskel.arrays import Indices
-from starskel.points import doubtful_area
+from starskel.arrays import Flags, Indices
 from starskel.triangulation import Triangulation
 
 
@@ -25,8 +24,8 @@ class Cells:
     ----------
     corner : (2 h,) array of int
         The corners as indices of the ring.
-    size : (2 h,) array of int
-        How many corners the cell has.
+    others : (2 h,) array of int
+        How many other corners the cell has.
     behind : (2 h,) array of int
         Where in the cell behind the side a walk along all its other sides begins; -1 on the ring.
     first : (h,) array of int
@@ -36,7 +35,7 @@ class Cells:
     """
 
     corner: Indices
-    size: Indices
+    others: Indices
     behind: Indices
     first: Indices
     of_triangle: Indices
@@ -56,77 +55,93 @@ def cells_of(ground: Triangulation) -> Cells:
             f"{len(ground.triangles)} triangles cannot tile rings of {len(ground.rings.rows)} vertices "
             f"without corners inside them: give the {needed} triangles of the rings alone"
         )
-    sides, sizes = _rounds(_following(ground))
-    size = np.repeat(sizes, sizes)
-    place = np.repeat(np.cumsum(sizes) - sizes, sizes) + np.arange(len(sides))
-    at_side = np.full(len(ground.twins) + 1, -2)  # the last is for sides of the ring, whose twin is -1
-    at_side[sides] = place
-    twice = np.concatenate([place, place + size])
-    corner, sized, behind = (np.empty(2 * len(sides), dtype=np.intp) for _ in range(3))
-    corner[twice] = np.tile(ground.triangles.ravel()[sides], 2)
-    sized[twice] = np.tile(size, 2)
-    behind[twice] = np.tile(at_side[ground.twins[sides]] + 1, 2)
-    return Cells(corner, sized, behind, place, _of_triangles(ground, sides, place))
+    stays = _stays(ground)
+    cell = _joined(ground, stays)
+    sides, around = _rounds(ground, stays, cell)
+    size = np.bincount(around, minlength=len(cell))
+    begun = size.cumsum() - size
+    place = begun.take(around) + np.arange(len(sides))
+    at_side = np.empty(len(ground.twins) + 1, dtype=np.intp)
+    at_side[sides] = place + 1
+    at_side[-1] = -1  # sides of the ring, whose twin is -1
+    twice = [place, place + size.take(around)]
+    corner, others, behind = (np.empty(2 * len(sides), dtype=np.intp) for _ in range(3))
+    corner[twice] = ground.triangles.ravel().take(sides)
+    others[twice] = size.take(around) - 1
+    behind[twice] = at_side.take(ground.twins.take(sides))
+    return Cells(corner, others, behind, place, 2 * begun.take(cell))
 
 
-def _following(ground: Triangulation) -> list[int]:
-    """Give for each half-edge the next one round its cell; -1 where the half-edge is inside a cell."""
-    each = np.arange(len(ground.twins))
-    following: list[int] = (each - each % 3 + (each + 1) % 3).tolist()
-    before: list[int] = (each - each % 3 + (each + 2) % 3).tolist()
-    is_convex = _convexity(ground)
-    diagonals = np.flatnonzero(each < ground.twins)
-    for h, twin in zip(diagonals.tolist(), ground.twins[diagonals].tolist(), strict=True):
-        into, into_twin, onward, onward_twin = before[h], before[twin], following[h], following[twin]
-        if is_convex(h, into, following[onward_twin]) and is_convex(twin, into_twin, following[onward]):
-            following[into], before[onward_twin] = onward_twin, into
-            following[into_twin], before[onward] = onward, into_twin
-            following[h] = following[twin] = -1
-    return following
+def _stays(ground: Triangulation) -> Flags:
+    """Tell which half-edges stay: the ring, and the diagonals that split reflex corners."""
+    twins, corners = ground.twins, ground.triangles.ravel()
+    opens, splits = _spokes(ground)
+    stays = _in_twos(ground, opens, splits)
+    stays |= splits & splits.take(twins) & (twins >= 0)  # they split the corners at both their ends
+    stays[twins[stays]] = True
+    left = (splits & _without(stays & splits, corners)).nonzero()[0]
+    one = np.empty(len(ground.rings.rows), dtype=np.intp)
+    one[corners.take(left)] = left
+    chosen = one.take(corners.take(left))
+    stays[chosen] = stays[twins.take(chosen)] = True
+    return stays | (twins < 0)
 
 
-def _convexity(ground: Triangulation) -> Callable[[int, int, int], bool]:
-    """Give a test for the corners of cells, named by half-edges that begin there, before and behind it."""
-    points, ring = ground.points, ground.rings.rows
-    before, after = ring[ground.rings.preceding], ring[ground.rings.following]
-    in_ring = points.orientation(before, ring, after) >= 0
-    convex = in_ring[ground.triangles.ravel()].tolist()
-    corners = ground.triangles.ravel().tolist()
-    at = ground.vertices.view(np.complex128)[:, 0].tolist()
-    doubtful = doubtful_area(ground.vertices)
-
-    def is_convex(here: int, before: int, behind: int) -> bool:
-        if convex[here]:  # in the ring, so in all parts of it
-            return True
-        v, a, b = corners[here], corners[before], corners[behind]
-        doubled: float = ((at[v] - at[a]).conjugate() * (at[b] - at[v])).imag
-        if abs(doubled) <= doubtful:
-            doubled = points.orientation(*ring[[[a], [v], [b]]]).item()
-        return doubled >= 0
-
-    return is_convex
+def _spokes(ground: Triangulation) -> tuple[Flags, Flags]:
+    """Tell which diagonals at reflex corners leave a convex angle before them, and which also one behind."""
+    rings, twins, corners = ground.rings, ground.twins, ground.triangles.ravel()
+    before, after = rings.rows.take(rings.preceding), rings.rows.take(rings.following)
+    reflex = ground.points.orientation(before, rings.rows, after) < 0
+    spokes = ((twins >= 0) & reflex.take(corners)).nonzero()[0]
+    vertex, end = corners.take(spokes), rings.rows.take(corners.take(twins.take(spokes)))
+    here = rings.rows.take(vertex)
+    opens, closes = np.zeros((2, len(twins)), dtype=bool)
+    opens[spokes] = ground.points.orientation(here, after.take(vertex), end) >= 0
+    closes[spokes] = ground.points.orientation(here, end, before.take(vertex)) >= 0
+    return opens, opens & closes
 
 
-def _rounds(following: list[int]) -> tuple[Indices, Indices]:
-    """Give the half-edges round all cells, one cell after the other, and how many each cell has."""
-    sides: list[int] = []
-    ends = [0]
-    for start in range(len(following)):
-        h = start
-        while following[h] >= 0:
-            sides.append(h)
-            following[h], h = -1, following[h]
-        if len(sides) > ends[-1]:
-            ends.append(len(sides))
-    return np.array(sides), np.diff(ends)
+def _in_twos(ground: Triangulation, opens: Flags, splits: Flags) -> Flags:
+    """Choose, where none alone splits a corner, the last with a convex angle before it and the next one."""
+    corners = ground.triangles.ravel()
+    last = (opens & _without(splits, corners)).nonzero()[0]
+    following = ground.twins.take(last - last % 3 + (last + 2) % 3)
+    two = ~opens.take(following)
+    chosen = np.zeros(len(corners), dtype=bool)
+    chosen[last[two]] = chosen[following[two]] = True
+    return chosen
 
 
-def _of_triangles(ground: Triangulation, sides: Indices, place: Indices) -> Indices:
-    """Give a place in the cell of each triangle; those without sides take it from triangles beside them."""
-    found = np.full(len(ground.triangles), -1)
-    found[sides // 3] = place
-    around = ground.twins.reshape(-1, 3) // 3
-    while (found < 0).any():
-        inner = np.flatnonzero(found < 0)
-        found[inner] = found[around[inner]].max(axis=1)
-    return found
+def _without(flags: Flags, corners: Indices) -> Flags:
+    """Tell which half-edges begin where no half-edge begins that has a flag."""
+    free = np.ones(corners.max() + 1, dtype=bool)
+    free[corners[flags]] = False
+    return free.take(corners)
+
+
+def _joined(ground: Triangulation, stays: Flags) -> Indices:
+    """Give for each triangle the one that stands for its cell.
+
+    In each triangle one half-edge goes down, from the last corner to the first, and behind it lies the way to
+    the ring's closing edge. So cells are trees.
+    """
+    starts = ground.triangles.ravel()
+    ends = ground.triangles[:, (1, 2, 0)].ravel()
+    down = (starts > ends).nonzero()[0]
+    cell = np.where(stays.take(down), np.arange(len(down)), ground.twins.take(down) // 3)
+    while True:
+        farther = cell.take(cell)
+        if np.array_equal(farther, cell):
+            return cell
+        cell = farther
+
+
+def _rounds(ground: Triangulation, stays: Flags, cell: Indices) -> tuple[Indices, Indices]:
+    """Give the half-edges round all cells, one cell after the other, and which cell each goes round.
+
+    Counter-clockwise the corners of a cell are in the order of the ring.
+    """
+    sides = stays.nonzero()[0]
+    around = cell.take(sides // 3)
+    order = (around * len(ground.rings.rows) + ground.triangles.ravel().take(sides)).argsort()
+    return sides.take(order), around.take(order)

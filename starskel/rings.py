@@ -70,8 +70,9 @@ class Rings:
 
 def ranges(first: Indices, counts: Indices) -> tuple[Indices, Indices]:
     """Count up from some numbers, so many steps from each; give for each step whose it is, and the number."""
-    owner = np.repeat(np.arange(len(first)), counts)
-    return owner, np.arange(len(owner)) + (first - (np.cumsum(counts) - counts))[owner]
+    owner = np.arange(len(first)).repeat(counts)
+    done: Indices = counts.cumsum()
+    return owner, np.arange(len(owner)) + (first - (done - counts)).take(owner)
 
 
 def blocks(counts: Indices, most: int) -> list[slice]:

@@ -52,13 +52,12 @@ def visibility(ground: Triangulation, task: Task = UNWATCHED) -> Visibility:
     ValueError
         If the triangles have corners inside the ring.
     """
-    n = len(ground.rings.rows)
     cells = cells_of(ground)
     scene = _Scene.of(ground, cells, ground.points, ground.rings.rows)
-    walks = _Walks(cells.corner[cells.first], cells.first + 1, cells.size[cells.first] - 1)
-    seen = Visibility(np.eye(n, dtype=bool), np.zeros((n, n), dtype=bool))
-    _look(scene, walks, seen, task)
-    ring = np.arange(n)
+    own = cells.first
+    seen = _look(scene, _Walks(cells.corner[own], own + 1, cells.others[own]), task)
+    ring = np.arange(len(ground.rings.rows))
+    seen.sees[ring, ring] = True
     for beside in (ground.rings.preceding, ground.rings.following):  # edges of the ring are no diagonals
         seen.diagonal[ring, beside] = False
     return Visibility(seen.sees, seen.diagonal & seen.diagonal.T)
@@ -78,17 +77,15 @@ def visibility_from(
     ValueError
         If the triangles have corners inside the ring.
     """
-    n, k = len(ground.rings.rows), len(places)
-    rows = len(ground.points.coordinates) + np.arange(k)
+    rows = len(ground.points.coordinates) + np.arange(len(places))
     points = ground.points.with_free(places)
     corners = ground.rings.rows[ground.triangles[triangles]]
     turns = points.orientation(rows[:, None], corners, np.roll(corners, -1, axis=1))
     viewer = np.flatnonzero((turns > 0).all(axis=1))
     cells = cells_of(ground)
     start = cells.of_triangle[triangles[viewer]]
-    seen = Visibility(np.zeros((k, n), dtype=bool), np.zeros((k, n), dtype=bool))
-    _look(_Scene.of(ground, cells, points, rows), _Walks(viewer, start, cells.size[start]), seen, task)
-    return seen
+    walks = _Walks(viewer, start, cells.others[start] + 1)
+    return _look(_Scene.of(ground, cells, points, rows), walks, task)
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,19 +106,25 @@ class _Walks:
 
 @dataclass(frozen=True, eq=False)
 class _Views:
-    """Views of viewers into cells, each between a right and a left limit (all arrays of int).
+    """Views of viewers into cells, each between limits, two vertices.
 
     A view enters its cell over the side that ends where the walk along all the other sides starts.
+
+    Attributes
+    ----------
+    viewer, start : (v,) arrays of int
+        Who looks, and where the walk starts.
+    limits : (2, v) array of int
+        The vertices that limit the view to the right and to the left.
     """
 
     viewer: Indices
     start: Indices
-    right: Indices
-    left: Indices
+    limits: Indices
 
-    def part(self, some: slice | Indices) -> "_Views":
+    def part(self, some: slice | Flags) -> "_Views":
         """Give some of the views."""
-        return _Views(self.viewer[some], self.start[some], self.right[some], self.left[some])
+        return _Views(self.viewer[some], self.start[some], self.limits[:, some])
 
 
 @dataclass(frozen=True, eq=False)
@@ -160,6 +163,10 @@ class _Scene:
             cells, points, ground.rings.rows, rows, places[ground.rings.rows], places[rows], slack, doubtful
         )
 
+    def pairs(self, viewer: Indices, vertex: Indices) -> Indices:
+        """Give the places of pairs in a table of all viewers and vertices, row by row."""
+        return viewer * len(self.ring) + vertex
+
     def turns(
         self, viewer: Indices, first: Indices, second: Indices, doubled: Floats
     ) -> tuple[Floats, Flags]:
@@ -178,101 +185,128 @@ class _Scene:
         return signs, np.abs(doubled) <= reach
 
 
-def _look(scene: _Scene, walks: _Walks, seen: Visibility, task: Task) -> None:
-    """Note what viewers see on walks round their own cells, and in the cells behind these."""
-    around = []
+def _look(scene: _Scene, walks: _Walks, task: Task) -> Visibility:
+    """Tell what viewers see on walks round their own cells, and in the cells behind these."""
+    sees = np.zeros((len(scene.rows), len(scene.ring)), dtype=bool)
+    waiting, grazed = [], []
     for part in blocks(walks.count, BLOCK):
         task.reach(0)
-        around.append(_look_around(scene, walks.part(part), seen))
-    for views in around:  # once all are noted: two cells of a viewer share the ends of a side
-        _forget_hidden(scene, views, seen)
-    waiting = [views.part(np.flatnonzero(views.start >= 0)) for views in around]
+        around = _look_around(scene, walks.part(part), sees)
+        grazed.append(_behind_ends(scene, around))
+        waiting.append(around.part(around.start >= 0))
     while waiting:
         views = waiting.pop()
-        for part in blocks(scene.cells.size[views.start], BLOCK):
+        for part in blocks(scene.cells.others.take(views.start), BLOCK):
             task.reach(0)
-            waiting.append(_advance(scene, views.part(part), seen))
+            onward, passed = _advance(scene, views.part(part), sees)
+            waiting.append(onward)
+            grazed.append(passed)
+    diagonal = sees.copy()
+    for pairs in grazed:
+        diagonal.ravel()[pairs] = False
+    return Visibility(sees, diagonal)
 
 
-def _look_around(scene: _Scene, walks: _Walks, seen: Visibility) -> _Views:
+def _look_around(scene: _Scene, walks: _Walks, sees: Flags) -> _Views:
     """Note the corners on the walks, and give the views through all sides but those that end at a viewer."""
     cells, count = scene.cells, walks.count
     walk, place = ranges(walks.start, count)
-    viewer = walks.viewer[walk]
-    seen.sees[viewer, cells.corner[place]] = True
-    seen.diagonal[viewer, cells.corner[place]] = True
+    viewer = walks.viewer.take(walk)
+    sees[viewer, cells.corner.take(place)] = True
     away = np.ones(len(place), dtype=bool)
-    away[np.cumsum(count)[count < cells.size[walks.start]] - 1] = False
+    away[np.cumsum(count)[count == cells.others.take(walks.start)] - 1] = False
     viewer, place = viewer[away], place[away]
-    return _Views(viewer, cells.behind[place], cells.corner[place], cells.corner[place + 1])
+    return _Views(viewer, cells.behind.take(place), cells.corner.take([place, place + 1]))
 
 
-def _forget_hidden(scene: _Scene, views: _Views, seen: Visibility) -> None:
-    """Let no diagonal pass the nearer end of a side that is seen edge-on."""
-    at = scene.viewers[views.viewer]
-    right, left = scene.vertices[views.right] - at, scene.vertices[views.left] - at
-    along = np.abs((right.conj() * left).imag) <= scene.slack * (np.abs(right) + np.abs(left))
-    farther = np.where(np.abs(right) > np.abs(left), views.right, views.left)[along]
-    seen.diagonal[views.viewer[along], farther] = False
+def _behind_ends(scene: _Scene, views: _Views) -> Indices:
+    """Give the pairs that pass the nearer end of a side, which is seen edge-on."""
+    sight = scene.vertices.take(views.limits)
+    sight -= scene.viewers.take(views.viewer)
+    away = np.abs(sight)
+    along = np.flatnonzero(np.abs((sight[0].conj() * sight[1]).imag) <= scene.slack * away.sum(axis=0))
+    farther = np.where(away[0] > away[1], views.limits[0], views.limits[1])
+    return scene.pairs(views.viewer.take(along), farther.take(along))
 
 
-def _advance(scene: _Scene, views: _Views, seen: Visibility) -> _Views:
-    """Note which corners are seen in the cells that views enter, and give the views onward."""
-    cells = scene.cells
-    count = cells.size[views.start] - 1
-    walk, place = ranges(views.start, count)
-    corner = cells.corner.take(place)
-    ends = np.cumsum(count)
-    left_of_right, right_of_left, grazing = _between(scene, views, walk, corner, ends - count)
-    seen_here = np.flatnonzero(left_of_right & right_of_left)
-    keys = views.viewer.take(walk.take(seen_here)) * len(scene.ring) + corner.take(seen_here)
-    seen.sees.ravel()[keys] = True
-    seen.diagonal.ravel()[keys] = True
-    seen.diagonal[views.viewer[walk[grazing]], corner[grazing]] = False
-    end_left_of_right = _of_next(left_of_right, ends, True)
-    end_right_of_left = _of_next(right_of_left, ends, False)
-    onward = np.flatnonzero(right_of_left & end_left_of_right)
-    onward = onward[cells.behind.take(place.take(onward)) >= 0]
-    walk, place = walk[onward], place[onward]
-    return _Views(
-        views.viewer[walk],
-        cells.behind[place],
-        np.where(left_of_right[onward], corner[onward], views.right[walk]),
-        np.where(end_right_of_left[onward], cells.corner[place + 1], views.left[walk]),
+def _advance(scene: _Scene, views: _Views, sees: Flags) -> tuple[_Views, Indices]:
+    """Note which corners are seen in the cells that views enter; give the views onward, and grazing pairs."""
+    cells, steps = scene.cells, _Steps.of(scene.cells, views)
+    inside, grazing = _inside(scene, views, steps)
+    seen = (inside[0] & inside[1]).nonzero()[0]
+    sees.ravel()[scene.pairs(steps.viewer.take(seen), steps.corner.take(seen))] = True
+    end_inside = _of_next(inside, steps.last)
+    onward = (inside[1] & end_inside[0]).nonzero()[0]
+    onward = onward[cells.behind.take(steps.place.take(onward)) >= 0]
+    place = steps.place.take(onward)
+    limits = np.where(
+        [inside[0].take(onward), end_inside[1].take(onward)],
+        cells.corner.take([place, place + 1]),
+        views.limits.take(steps.view.take(onward), axis=1),
     )
+    further = _Views(steps.viewer.take(onward), cells.behind.take(place), limits)
+    return further, scene.pairs(steps.viewer.take(grazing), steps.corner.take(grazing))
 
 
-def _of_next(flags: Flags, ends: Indices, last: bool) -> Flags:
-    """Give each step of the walks the flag of the next one, and the last ones the same."""
-    following = np.empty_like(flags)
-    following[:-1] = flags[1:]
-    following[ends - 1] = last
+@dataclass(frozen=True, eq=False)
+class _Steps:
+    """The steps of views on their walks, each to a corner from which a side leads on (all arrays of int).
+
+    Attributes
+    ----------
+    view, viewer : (h,) arrays
+        Whose step it is.
+    place, corner : (h,) arrays
+        Where in the cells the step leads, and which vertex stands there.
+    first, last : (v,) arrays
+        The first and the last step of each walk. The first leads to the right end of the side that is looked
+        through, and from the last the walk leads to its left end.
+    """
+
+    view: Indices
+    viewer: Indices
+    place: Indices
+    corner: Indices
+    first: Indices
+    last: Indices
+
+    @classmethod
+    def of(cls, cells: Cells, views: _Views) -> "_Steps":
+        count = cells.others.take(views.start)
+        view, place = ranges(views.start, count)
+        ends = count.cumsum()
+        return cls(view, views.viewer.take(view), place, cells.corner.take(place), ends - count, ends - 1)
+
+
+def _of_next(inside: Flags, last: Indices) -> Flags:
+    """Give each step the flags of the next one, and the last ones those of left ends."""
+    following = np.empty_like(inside)
+    following[:, :-1] = inside[:, 1:]
+    following[0, last] = True
+    following[1, last] = False
     return following
 
 
-def _between(
-    scene: _Scene, views: _Views, walk: Indices, corner: Indices, begun: Indices
-) -> tuple[Flags, Flags, Indices]:
-    """Tell which corners lie at or left of right limits, at or right of left ones, and which graze either.
-
-    Where walks have begun stand the right ends of the sides that are looked through.
-    """
-    at = scene.viewers[views.viewer]
-    towards = scene.vertices.take(corner)
-    towards -= at.take(walk)
-    flags, grazing = [], []
-    for limit, side in ((views.right, 1.0), (views.left, -1.0)):
-        turned = (side * (scene.vertices[limit] - at).conj()).take(walk)
-        turned *= towards
-        inwards = turned.imag
-        inwards[begun] = -side * np.inf
-        inside = inwards > scene.doubtful
-        if np.count_nonzero(inside) + np.count_nonzero(inwards < -scene.doubtful) < len(walk):
-            doubt = np.flatnonzero(np.abs(inwards) <= scene.doubtful)
-            view = walk[doubt]
-            doubled = side * inwards[doubt]
-            signs, grazes = scene.turns(views.viewer[view], limit[view], corner[doubt], doubled)
-            inside[doubt] = side * signs >= 0
-            grazing.append(doubt[grazes])
-        flags.append(inside)
-    return flags[0], flags[1], np.concatenate([*grazing, begun[:0]])
+def _inside(scene: _Scene, views: _Views, steps: _Steps) -> tuple[Flags, Indices]:
+    """Tell which steps lead at or left of right limits, at or right of left ones, and which graze either."""
+    sight = scene.vertices.take(views.limits)
+    sight -= scene.viewers.take(views.viewer)
+    np.conj(sight, out=sight)
+    np.negative(sight[1], out=sight[1])
+    towards = scene.vertices.take(steps.corner)
+    towards -= scene.viewers.take(steps.viewer)
+    turned = sight.take(steps.view, axis=1)
+    turned *= towards
+    inwards = turned.imag
+    inwards[0, steps.first] = -np.inf
+    inwards[1, steps.first] = np.inf
+    inside = inwards > scene.doubtful
+    close = np.abs(inwards) <= scene.doubtful
+    if not close.any():
+        return inside, steps.first[:0]
+    side, doubt = close.nonzero()
+    left = 1 - 2 * side  # 1 if the inside lies to the left, -1 if to the right
+    limit, corner = views.limits[side, steps.view[doubt]], steps.corner[doubt]
+    signs, grazes = scene.turns(steps.viewer[doubt], limit, corner, left * inwards[side, doubt])
+    inside[side, doubt] = left * signs >= 0
+    return inside, doubt[grazes]

@@ -11,7 +11,6 @@ from starskel.decomposition.pieces import Decomposition, edges_of
 from starskel.points import Points, points_of
 from starskel.rings import Rings
 from starskel.task import Task
-from starskel.triangulation import Triangle
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +42,7 @@ def fans_of(decomposition: Decomposition, task: Task) -> Fans:
     """
     points = [decomposition.source], [decomposition.target]
     count = len(decomposition.source)
-    triangles: list[Triangle] = []
+    triangles: list[tuple[int, ...]] = []
     hubs: list[tuple[int, ...]] = []
     kernels = _hubs(decomposition, task)
     for piece in decomposition.pieces:

@@ -14,8 +14,9 @@ from starskel.crossings import crossing_edges
 from starskel.errors import InvalidPolygon
 from starskel.outline import edge_lengths, edge_vectors, turning_angles
 from starskel.points import points_of
+from starskel.rings import Rings
 from starskel.task import Task
-from starskel.triangulation import triangulate
+from starskel.triangulation import delaunay
 
 MOST = 48
 """So many vertices of an outline are compared, at most."""
@@ -112,7 +113,7 @@ def _diagonals(ring: Floats) -> Indices:
     if len(crossing_edges(ring)):
         return np.empty((0, 2), dtype=np.intp)
     try:
-        triangles = triangulate(points_of(ring), np.arange(n)).triangles
+        triangles = delaunay(points_of(ring), Rings.of([range(n)])).triangles
     except InvalidPolygon:  # it all but touches itself
         return np.empty((0, 2), dtype=np.intp)
     sides = np.concatenate([triangles, np.roll(triangles, -1, axis=1)]).reshape(2, -1).T

@@ -15,7 +15,7 @@ from starskel.decomposition.pieces import Around, Piece
 from starskel.points import Points
 from starskel.rings import Rings
 from starskel.task import Task
-from starskel.triangulation import Grounds, triangulate_rings
+from starskel.triangulation import Grounds, delaunay, triangulate
 
 AT_ONCE = 1 << 12
 """Vertices of rings that are looked at between two questions whether to stop."""
@@ -121,16 +121,19 @@ class Board:
         if key not in self._grounds:
             rings = Rings.of(cells)
             task.reach(0)
-            source = triangulate_rings(self.sides[0], rings)
+            source = delaunay(self.sides[0], rings)
             task.reach(0)
-            self._grounds[key] = source, triangulate_rings(self.sides[1], rings)
+            self._grounds[key] = source, delaunay(self.sides[1], rings)
         return self._grounds[key]
 
     def links(self, cells: Sequence[Piece], task: Task) -> Links:
         """Give what both polygons allow within cells."""
         key = tuple(cells)
         if key not in self._links:
-            self._links[key] = links_of(*self.triangulated(cells, task), task)
+            rings = Rings.of(cells)
+            self._links[key] = links_of(
+                triangulate(self.sides[0], rings), triangulate(self.sides[1], rings), task
+            )
         return self._links[key]
 
 

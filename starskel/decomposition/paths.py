@@ -26,7 +26,7 @@ from starskel.decomposition.sightlines import Places, sightlines
 from starskel.points import Points
 from starskel.rings import Rings
 from starskel.task import Task
-from starskel.triangulation import Triangulation, triangulate_rings
+from starskel.triangulation import Triangulation, delaunay
 
 WITHIN = np.array([(64, 17, 15), (16, 65, 15), (17, 16, 63)]) / 96
 """Weights of the corners of a triangle for places in it: uneven, to stand in no line by chance."""
@@ -100,7 +100,7 @@ def bends_between(
 
 
 def _bent(points: Points, rings: Rings, starts: Indices, ends: Indices, task: Task) -> list[Floats | None]:
-    ground = triangulate_rings(points, rings)
+    ground = delaunay(points, rings)
     places = _places(ground, np.concatenate([starts, ends]))
     at = places.points.coordinates[places.rows]
     k = len(starts)

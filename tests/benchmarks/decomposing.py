@@ -7,6 +7,7 @@ from starskel.correspondence import Correspondence
 from starskel.decomposition import decompose
 from starskel.decomposition.verify import faults
 from starskel.points import points_of
+from starskel.rings import Rings
 from starskel.triangulation import triangulate
 from starskel.visibility import visibility
 from tests.benchmarks.timing import exponent, seconds, table
@@ -25,7 +26,7 @@ def paired(source, target) -> Correspondence:
 
 
 def ground_of(ring):
-    return triangulate(points_of(ring), np.arange(len(ring)))
+    return triangulate(points_of(ring), Rings.of([range(len(ring))]))
 
 
 def all_pairs(ring):

@@ -4,6 +4,7 @@ import pytest
 from starskel.cells import cells_of
 from starskel.outline import signed_areas
 from starskel.points import points_of
+from starskel.rings import Rings
 from starskel.triangulation import triangulate
 from tests.families import blob, comb, spiral, subdivided, turned, two_opt
 
@@ -21,11 +22,11 @@ RINGS = {
 @pytest.fixture(params=RINGS)
 def ground(request):
     ring = RINGS[request.param]
-    return triangulate(points_of(ring), np.arange(len(ring)))
+    return triangulate(points_of(ring), Rings.of([range(len(ring))]))
 
 
 def corners_of_all(cells):
-    starts, sizes = cells.first, cells.size[cells.first]
+    starts, sizes = cells.first, cells.others[cells.first] + 1
     rounds = {
         tuple(sorted(cells.corner[s : s + k].tolist())): (s, k) for s, k in zip(starts, sizes, strict=True)
     }
@@ -51,19 +52,20 @@ def test_walks_behind_a_side_pass_the_other_sides_of_the_cell_behind(ground):
         if start < 0:
             assert side[1] == (side[0] + 1) % n
         else:
-            end = start + cells.size[start] - 1
+            end = start + cells.others[start]
             assert (cells.corner[end], cells.corner[start]) == side[::-1]
 
 
 def test_each_triangle_is_part_of_its_cell(ground):
     cells = cells_of(ground)
     for triangle, place in zip(ground.triangles, cells.of_triangle, strict=True):
-        assert set(triangle) <= set(cells.corner[place : place + cells.size[place]].tolist())
+        assert set(triangle) <= set(cells.corner[place : place + cells.others[place] + 1].tolist())
 
 
 def test_what_is_convex_is_one_cell_and_a_comb_little_more_than_its_teeth():
     angles = np.linspace(0, 2 * np.pi, 30, endpoint=False)
     ring = np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    assert cells_of(triangulate(points_of(ring), np.arange(30))).size[0] == 30
+    assert cells_of(triangulate(points_of(ring), Rings.of([range(30)]))).others[0] == 29
     teeth = comb(12)
-    assert len(corners_of_all(cells_of(triangulate(points_of(teeth), np.arange(len(teeth)))))) < 2 * 12
+    ground = triangulate(points_of(teeth), Rings.of([range(len(teeth))]))
+    assert len(corners_of_all(cells_of(ground))) < 2 * 12

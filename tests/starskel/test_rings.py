@@ -3,7 +3,7 @@ import pytest
 
 from starskel.points import points_of
 from starskel.rings import Rings, ranges
-from starskel.triangulation import triangulate, triangulate_rings
+from starskel.triangulation import triangulate
 from starskel.visibility import visibility
 from tests.families import comb, subdivided, turned, two_opt
 
@@ -28,13 +28,13 @@ SHAPES = [two_opt(20, 1), comb(4), turned(subdivided(two_opt(8, 6), 3), 0.4)]
 @pytest.mark.parametrize("shape", SHAPES, ids=["random", "comb", "straight runs"])
 def test_rings_that_are_looked_at_together_see_what_each_sees_alone(shape):
     points, whole = points_of(shape), np.arange(len(shape))
-    inner = visibility(triangulate(points, whole)).diagonal
+    inner = visibility(triangulate(points, Rings.of([whole]))).diagonal
     i, j = np.argwhere(inner)[len(shape) // 2]
     rings = Rings.of([whole, whole[i : j + 1], np.concatenate([whole[: i + 1], whole[j:]]), whole])
-    together = visibility(triangulate_rings(points, rings))
+    together = visibility(triangulate(points, rings))
     expected = np.zeros_like(together.sees), np.zeros_like(together.sees)
     for ring, first in rings.parts():
-        alone = visibility(triangulate(points, ring))
+        alone = visibility(triangulate(points, Rings.of([ring])))
         block = slice(first, first + len(ring))
         expected[0][block, block], expected[1][block, block] = alone.sees, alone.diagonal
     np.testing.assert_array_equal(together.sees, expected[0])

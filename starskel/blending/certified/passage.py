@@ -13,8 +13,9 @@ import numpy as np
 
 from starskel.arrays import Complex, Floats, Indices
 from starskel.points import Points, points_of
+from starskel.rings import Rings
 from starskel.task import Task
-from starskel.triangulation import triangulate
+from starskel.triangulation import delaunay
 
 Gate = tuple[int, int]
 """The vertex on the right and the one on the left, for those who leave."""
@@ -83,7 +84,7 @@ def _chain(points: Points, order: list[int], task: Task) -> list[int]:
 
 def _through_pocket(points: Points, pocket: Indices, lid: Gate) -> dict[int, Passage]:
     """Give the passages of all edges in a pocket, a ring counter-clockwise whose closing edge is the lid."""
-    ground = triangulate(points, pocket)
+    ground = delaunay(points, Rings.of([pocket]))
     ends = np.roll(ground.triangles, -1, axis=1).ravel()
     starts = ground.triangles.ravel()
     at_lid = int(np.flatnonzero((starts == len(pocket) - 1) & (ends == 0))[0])

@@ -6,6 +6,7 @@ import pytest
 from starskel.decomposition import convex
 from starskel.decomposition.convex import convex_cuts
 from starskel.points import points_of
+from starskel.rings import Rings
 from starskel.task import UNWATCHED
 from starskel.triangulation import triangulate
 from starskel.visibility import visibility
@@ -14,7 +15,7 @@ from tests.starskel.decomposition.exhaustive import cut
 
 
 def ground(ring):
-    return triangulate(points_of(ring), np.arange(len(ring)))
+    return triangulate(points_of(ring), Rings.of([range(len(ring))]))
 
 
 def by_length(ring):

@@ -6,14 +6,14 @@ from starskel.decomposition.minimal import least_stuck_cells, minimal_pieces
 from starskel.points import points_of
 from starskel.rings import Rings
 from starskel.task import Task
-from starskel.triangulation import triangulate, triangulate_rings
+from starskel.triangulation import triangulate
 from tests.families import related, turned, two_opt
 from tests.starskel.decomposition.exhaustive import fewest_pieces, pairs_of_ring, price
 
 
 def links(source, target):
-    ring = np.arange(len(source))
-    return links_of(triangulate(points_of(source), ring), triangulate(points_of(target), ring), Task())
+    whole = Rings.of([range(len(source))])
+    return links_of(*(triangulate(points_of(ring), whole) for ring in (source, target)), Task())
 
 
 def pair(kind, seed):
@@ -90,7 +90,7 @@ def test_rings_that_are_cut_together_are_cut_as_each_is_alone():
     sides = points_of(source), points_of(target)
 
     def cut(*rings):
-        grounds = (triangulate_rings(side, Rings.of(rings)) for side in sides)
+        grounds = (triangulate(side, Rings.of(rings)) for side in sides)
         return least_stuck_cells(links_of(*grounds, Task()), Task())
 
     assert cut(*cells, range(20)) == [cut(cell)[0] for cell in (*cells, range(20))]

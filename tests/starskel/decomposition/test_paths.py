@@ -59,7 +59,7 @@ def test_a_path_cuts_the_ring_into_two_simple_rings(ring):
 
 
 def test_a_diagonal_is_a_path_without_bends_and_nothing_else_is(ring):
-    diagonal = visibility(triangulate(points_of(ring), np.arange(len(ring)))).diagonal
+    diagonal = visibility(triangulate(points_of(ring), Rings.of([range(len(ring))]))).diagonal
     for i, j in apart(ring):
         assert (len(bends(ring, i, j)) == 0) == diagonal[i, j]
 
@@ -94,7 +94,7 @@ def random_places(ground, count):
 
 
 def test_places_see_each_other_where_the_polygon_covers_the_segment(ring):
-    ground = triangulate(points_of(ring), np.arange(len(ring)))
+    ground = triangulate(points_of(ring), Rings.of([range(len(ring))]))
     places = random_places(ground, 60)
     sees = sightlines(ground, places, UNWATCHED)
     at = places.points.coordinates[places.rows]
@@ -106,7 +106,7 @@ def test_places_see_each_other_where_the_polygon_covers_the_segment(ring):
 
 
 def test_a_place_outside_its_triangle_sees_nothing():
-    ground = triangulate(points_of(comb(3)), np.arange(len(comb(3))))
+    ground = triangulate(points_of(comb(3)), Rings.of([range(len(comb(3)))]))
     points = ground.points.with_free(np.array([(-5.0, -5.0), (0.5, 0.5)]))
     rows = len(ground.points.start) + np.arange(2)
     assert not sightlines(ground, Places(points, rows, np.arange(2), np.array([0, 0])), UNWATCHED)[0, 1]
