@@ -13,7 +13,7 @@ from starskel.files.multi_pairs import read_multi_pairs
 from starskel.files.pair_file import PairFile
 from starskel.files.pairs import read_pairs
 from starskel.files.part_looks import part_looks
-from starskel.files.project import AnyPair, letter
+from starskel.files.project import AnyPair, Project, letter
 from starskel.files.project_file import read_project
 from starskel.files.step import Step
 from starskel.images.placed import PlacedImage
@@ -128,33 +128,45 @@ def _pictured(file: PairFile[ImagePair]) -> Opened:
     return Opened(file.ids, lambda name: file.pair(name).shapes, pictures)
 
 
-def _steps(path: Path, step: int | None) -> Opened:
-    document = read_project(path)
-    if not document.name:
-        document = replace(document, name=path.stem)
-    names = [document.step_name(k) for k in range(len(document.steps))]
-    if step is not None and not 1 <= step <= len(names):
-        raise InvalidFile(f"{path} has no step {step}", f"give a step from 1 to {len(names)}")
+@dataclass(frozen=True)
+class _Steps:
+    """The steps of a project as pairs, by their names."""
 
-    def pair(name: str) -> AnyPair:
-        if name not in names:
-            raise InvalidFile(f'{path} has no step "{name}"', "choose one of " + ", ".join(names))
+    path: Path
+    project: Project
+    names: tuple[str, ...]
+
+    def pair(self, name: str) -> AnyPair:
+        if name not in self.names:
+            raise InvalidFile(f'{self.path} has no step "{name}"', "choose one of " + ", ".join(self.names))
         try:
-            return document.pair(names.index(name))
+            return self.project.pair(self.names.index(name))
         except InvalidFile as error:
-            raise error.within(path) from error
+            raise error.within(self.path) from error
 
-    def pictures(name: str) -> Pictures:
-        step = names.index(name)
-        source, target = (picture_of(path, document, step + k) for k in (0, 1))
+    def pictures(self, name: str) -> Pictures:
+        step = self.names.index(name)
+        source, target = (picture_of(self.path, self.project, step + k) for k in (0, 1))
         return source, target
 
-    def looks(name: str) -> tuple[PartLook, ...]:
-        step = names.index(name)
-        return part_looks(document.shapes[step], document.steps[step], document.shapes[step + 1])
+    def looks(self, name: str) -> tuple[PartLook, ...]:
+        step = self.names.index(name)
+        shapes = self.project.shapes
+        return part_looks(shapes[step], self.project.steps[step], shapes[step + 1])
 
-    if not any(one.parts and two.parts for one, two in pairwise(document.shapes)):
-        pair(names[0])  # raises: nothing in the file can be blended
+
+def _steps(path: Path, step: int | None) -> Opened:
+    project = read_project(path)
+    if not project.name:
+        project = replace(project, name=path.stem)
+    names = tuple(project.step_name(k) for k in range(len(project.steps)))
+    if step is not None and not 1 <= step <= len(names):
+        raise InvalidFile(f"{path} has no step {step}", f"give a step from 1 to {len(names)}")
+    steps = _Steps(path, project, names)
+    if not any(one.parts and two.parts for one, two in pairwise(project.shapes)):
+        steps.pair(names[0])  # raises: nothing in the file can be blended
     own = slice(None) if step is None else slice(step - 1, step)
     first = 0 if step is None else step - 1
-    return Opened(tuple(names[own]), pair, pictures, looks, document.name, document.steps[own], first)
+    return Opened(
+        names[own], steps.pair, steps.pictures, steps.looks, project.name, project.steps[own], first
+    )

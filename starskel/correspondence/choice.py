@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 from starskel.correspondence.cyclic import Alignment, alignments, price
 from starskel.correspondence.landmarks import EXACT_DIGITS, Landmarks
+from starskel.correspondence.pricing import LENGTHS, SHAPES
 from starskel.correspondence.trial import Trial
-from starskel.correspondence.works import LENGTHS, SHAPES
 from starskel.task import Task
 
 STRAIN_PRICE = 1.0

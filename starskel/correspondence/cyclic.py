@@ -11,7 +11,7 @@ import numpy as np
 from starskel.arrays import Floats, Indices
 from starskel.correspondence.alignment import Table, align, alignment_prices
 from starskel.correspondence.landmarks import EXACT_DIGITS, Landmarks
-from starskel.correspondence.works import SHAPES, Starts, Works, prices_from, rotations
+from starskel.correspondence.pricing import SHAPES, Pricing, Starts, prices_from, rotations
 from starskel.task import Task
 
 ROTATION_PRICE = 0.15
@@ -35,17 +35,17 @@ class Alignment:
     second: Indices
 
 
-def alignments(first: Landmarks, second: Landmarks, works: Works, task: Task) -> Iterator[Alignment]:
+def alignments(first: Landmarks, second: Landmarks, pricing: Pricing, task: Task) -> Iterator[Alignment]:
     """Give the cheapest alignment for each way to turn one outline along the other, the cheapest first."""
     i, j = _starts(first.saliences, second.saliences)
     batches = [(i[k : k + _BATCH], j[k : k + _BATCH]) for k in range(0, len(i), _BATCH)]
-    totals = np.concatenate([_totals(first, second, starts, works, task) for starts in batches])
+    totals = np.concatenate([_totals(first, second, starts, pricing, task) for starts in batches])
     phases = np.floor(((second.shares[j] - first.shares[i]).round(EXACT_DIGITS) * _PHASES + 0.5) % _PHASES)
     taken = set()
     for k in np.argsort(totals.round(EXACT_DIGITS), kind="stable"):
         if phases[k] not in taken:
             taken.add(phases[k])
-            yield _alignment(first, second, (i[k : k + 1], j[k : k + 1]), works, task)
+            yield _alignment(first, second, (i[k : k + 1], j[k : k + 1]), pricing, task)
 
 
 def price(first: Landmarks, second: Landmarks, alignment: Alignment) -> float:
@@ -59,18 +59,20 @@ def price(first: Landmarks, second: Landmarks, alignment: Alignment) -> float:
     return float(works / max(len(first), len(second)) + _turning_prices(first, second, starts)[0])
 
 
-def _alignment(first: Landmarks, second: Landmarks, starts: Starts, works: Works, task: Task) -> Alignment:
+def _alignment(
+    first: Landmarks, second: Landmarks, starts: Starts, pricing: Pricing, task: Task
+) -> Alignment:
     """Give the cheapest alignment that matches two landmarks."""
-    _, prices = prices_from(first, second, starts, works)
+    _, prices = prices_from(first, second, starts, pricing)
     one = Table(prices.match[0], prices.first_alone[0], prices.second_alone[0])
     pairs = np.array([(-1, -1), *align(one, task)], dtype=np.intp) + 1
     return Alignment((starts[0] + pairs[:, 0]) % len(first), (starts[1] + pairs[:, 1]) % len(second))
 
 
-def _totals(first: Landmarks, second: Landmarks, starts: Starts, works: Works, task: Task) -> Floats:
+def _totals(first: Landmarks, second: Landmarks, starts: Starts, pricing: Pricing, task: Task) -> Floats:
     """Give the price of the cheapest alignment from each of the starts."""
     task.reach(0)
-    starting, prices = prices_from(first, second, starts, works)
+    starting, prices = prices_from(first, second, starts, pricing)
     totals = (starting + alignment_prices(prices, task)) / max(len(first), len(second))
     return np.asarray(totals + _turning_prices(first, second, starts))
 

@@ -6,7 +6,7 @@ from starskel.arrays import Floats
 from starskel.correspondence.choice import best_alignment
 from starskel.correspondence.landmarks import EXACT_DIGITS, Landmarks
 from starskel.correspondence.marks import Mark
-from starskel.correspondence.works import likeness
+from starskel.correspondence.pricing import likeness
 from starskel.task import Task
 
 LEAST_VALUE = 0.15

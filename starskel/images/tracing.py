@@ -90,17 +90,21 @@ def trace(  # noqa: PLR0913 -- what is seen, and how much of it
             ),
             told("choose another level, or trace something else"),
         )
-    simple = shapely.simplify(shapely.MultiPolygon(found), tolerance / step)
+    kept = shapely.get_parts(_simplified(found, tolerance / step))
+    return Shape.of_parts(
+        [(_placed(image, p.exterior, step), [_placed(image, h, step) for h in p.interiors]) for p in kept]
+    )
+
+
+def _simplified(found: list[shapely.Polygon], tolerance: float) -> shapely.MultiPolygon:
+    simple = shapely.simplify(shapely.MultiPolygon(found), tolerance)
     count = len(shapely.get_coordinates(simple))
     if count > TRACED_VERTICES:
         raise StarskelError(
             told("the outline has {count} vertices", count=count),
             told("choose a larger tolerance: {most} are the most", most=TRACED_VERTICES),
         )
-    kept = shapely.get_parts(simple)
-    return Shape.of_parts(
-        [(_placed(image, p.exterior, step), [_placed(image, h, step) for h in p.interiors]) for p in kept]
-    )
+    return simple
 
 
 def usual(pixels: Pixels, level: float = 0.5) -> By:

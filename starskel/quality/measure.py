@@ -92,12 +92,12 @@ def measure(
         return measure_shapes(blend, times, task)
     if not isinstance(blend, Blend):
         raise StarskelError(f"{type(blend).__name__} is no blend", "give what starskel.blend returns")
+    return _measured(blend, times, task)
+
+
+def _measured(blend: Blend, times: Floats, task: Task) -> Report:
     rings, inside = _looked_at(blend, times, task.part(0, 0.4))
-    crossings = _crossings(rings, times, task.part(0.4, 0.8))
-    proven = bool(crossings)
-    if not crossings:
-        proven, between = proof(blend, task.part(0.8, 0.85))
-        crossings = (between,) if between else ()
+    crossings, proven = _decided(blend, rings, times, task.part(0.4, 0.85))
     kept = None
     if proven and not crossings and blend.key_times is not None:
         kept = clearance(blend.frames(blend.key_times), task.part(0.85, 0.9))
@@ -125,6 +125,15 @@ def measure(
         how=blend.how,
         clearance=kept,
     )
+
+
+def _decided(blend: Blend, rings: Floats, times: Floats, task: Task) -> tuple[tuple[Crossing, ...], bool]:
+    """Give the crossings in frames, or else the first between them, and whether that is known for all t."""
+    crossings = _crossings(rings, times, task.part(0, 8 / 9))
+    if crossings:
+        return crossings, True
+    proven, between = proof(blend, task.part(8 / 9, 1))
+    return (() if between is None else (between,)), proven
 
 
 def _looked_at(blend: Blend, times: Floats, task: Task) -> tuple[Floats, Distortion | None]:

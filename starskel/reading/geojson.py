@@ -36,11 +36,22 @@ def read(content: bytes, wanted: Wanted) -> Reading:
     values = content.count(b",") + content.count(b"[")
     check_limit(told("the GeoJSON"), told("bytes"), len(content), DRAWING_BYTES)
     check_limit(told("the GeoJSON"), told("values"), values, DRAWING_VALUES)
+    tally, shapes, empty = Tally(told("the file")), [], 0
+    for number, (name, geometry) in enumerate(_geometries(content), 1):
+        made = area_of(geometry, tally)
+        empty += made is None
+        if made is not None:
+            shapes.append(Found(name or told("shape {number}", number=number), *made))
+    notes = (told("features without an area were left out: {count}", count=empty),) if empty else ()
+    return Reading(uniquely_named(shapes), notes)
+
+
+def _geometries(content: bytes) -> list[tuple[str, shapely.Geometry]]:
+    """Give name and geometry of each feature, all of them decoded before any is looked at."""
     try:
-        document = msgspec.json.decode(content)
-        features = list(_features(document))
+        features = list(_features(msgspec.json.decode(content)))
         check_limit(told("the GeoJSON"), told("shapes"), len(features), DRAWING_SHAPES)
-        geometries = [shapely.from_geojson(msgspec.json.encode(geometry)) for _, geometry in features]
+        return [(name, shapely.from_geojson(msgspec.json.encode(geometry))) for name, geometry in features]
     except InvalidFile:
         raise
     except (
@@ -55,18 +66,10 @@ def read(content: bytes, wanted: Wanted) -> Reading:
         raise InvalidFile(
             told("the GeoJSON is damaged: {error}", error=error), told("take an undamaged copy")
         ) from error
-    tally, shapes, empty = Tally(told("the file")), [], 0
-    for number, ((name, _), geometry) in enumerate(zip(features, geometries, strict=True), 1):
-        made = area_of(geometry, tally)
-        empty += made is None
-        if made is not None:
-            shapes.append(Found(name or told("shape {number}", number=number), *made))
-    notes = (told("features without an area were left out: {count}", count=empty),) if empty else ()
-    return Reading(uniquely_named(shapes), notes)
 
 
 def _features(document: Any) -> Iterator[tuple[str, Any]]:
-    """Give name and geometry of each feature."""
+    """Give name and geometry of each feature, as JSON has it."""
     kind = document.get("type") if isinstance(document, dict) else None
     if kind == "FeatureCollection":
         for feature in document.get("features") or ():

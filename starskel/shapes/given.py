@@ -120,6 +120,13 @@ class Given:
         if len(links) == 1:
             return {links[0]: whole}
         others = [link[1 - side] for link in links]
+        self._check_partners(side, ring, others)
+        partners = [self._partner(side, ring, other) for other in others if other is not None]
+        holes = [self.shapes[side].rings[hole] for hole in self.shapes[side].holes(ring)]
+        return dict(zip(links, cut_between(whole, holes, partners), strict=True))
+
+    def _check_partners(self, side: int, ring: int, others: list[int | None]) -> None:
+        """Check that a ring with several partners is alone with none, and shares none of them."""
         if None in others:
             raise InvalidMarks(
                 told(
@@ -142,9 +149,6 @@ class Given:
                 ),
                 told("let one ring become several, or several one"),
             )
-        partners = [self._partner(side, ring, other) for other in others if other is not None]
-        holes = [self.shapes[side].rings[hole] for hole in self.shapes[side].holes(ring)]
-        return dict(zip(links, cut_between(whole, holes, partners), strict=True))
 
     def _partner(self, side: int, ring: int, other: int) -> Partner:
         """Give what a piece of a ring is to become, and the holes that go along."""

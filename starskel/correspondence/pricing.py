@@ -19,7 +19,7 @@ Starts = tuple[Indices, Indices]
 
 
 @dataclass(frozen=True)
-class Works:
+class Pricing:
     """What is asked for what.
 
     Attributes
@@ -42,17 +42,19 @@ class Works:
     alone: float
 
 
-SHAPES = Works(stretch=1.0, turn=0.3, bend=0.2, place=0.1, direction=0.05, alone=0.2)
+SHAPES = Pricing(stretch=1.0, turn=0.3, bend=0.2, place=0.1, direction=0.05, alone=0.2)
 """For shapes that bend somewhat: what looks alike and lies alike belongs together."""
 
-LENGTHS = Works(stretch=4.0, turn=0.3, bend=0.0, place=0.0, direction=0.0, alone=0.2)
+LENGTHS = Pricing(stretch=4.0, turn=0.3, bend=0.0, place=0.0, direction=0.0, alone=0.2)
 """For shapes that bend at large: only the way along the outline remains."""
 
 _LEAST_WEIGHT = 0.2
 """The weight of a match where neither outline bends at all, against one of right angles."""
 
 
-def prices_from(first: Landmarks, second: Landmarks, starts: Starts, works: Works) -> tuple[Floats, Table]:
+def prices_from(
+    first: Landmarks, second: Landmarks, starts: Starts, pricing: Pricing
+) -> tuple[Floats, Table]:
     """Give the prices of matching the starts, and those for all other landmarks in order from there."""
     rows, columns = (
         (start[:, None] + np.arange(len(outline))) % len(outline)
@@ -62,16 +64,16 @@ def prices_from(first: Landmarks, second: Landmarks, starts: Starts, works: Work
         (outline.shares[order] - outline.shares[start][:, None]) % 1
         for outline, order, start in zip((first, second), (rows, columns), starts, strict=True)
     ]
-    match = _bending_prices(first, second, works)[rows[:, :, None], columns[:, None, :]]
-    match += works.stretch * np.abs(shares[0][:, :, None] - shares[1][:, None, :])
-    if works.place or works.direction:
+    match = _bending_prices(first, second, pricing)[rows[:, :, None], columns[:, None, :]]
+    match += pricing.stretch * np.abs(shares[0][:, :, None] - shares[1][:, None, :])
+    if pricing.place or pricing.direction:
         turned = rotations(first, second, starts)[:, None]
         positions, directions = first.positions[rows] * turned, first.directions[rows] * turned
-        match += works.place * np.abs(positions[:, :, None] - second.positions[columns][:, None, :])
+        match += pricing.place * np.abs(positions[:, :, None] - second.positions[columns][:, None, :])
         ratios = directions[:, :, None] * np.conj(second.directions[columns])[:, None, :]
-        match += works.direction / np.pi * np.abs(np.angle(ratios))
+        match += pricing.direction / np.pi * np.abs(np.angle(ratios))
     match *= _weights(first, second)[rows[:, :, None], columns[:, None, :]]
-    alone = [works.alone + works.turn / np.pi * np.abs(outline.turns) for outline in (first, second)]
+    alone = [pricing.alone + pricing.turn / np.pi * np.abs(outline.turns) for outline in (first, second)]
     return match[:, 0, 0], Table(match[:, 1:, 1:], alone[0][rows[:, 1:]], alone[1][columns[:, 1:]])
 
 
@@ -88,14 +90,14 @@ def likeness(first: Landmarks, second: Landmarks, i: Indices, j: Indices) -> Flo
     return np.asarray((1 - bends / np.pi) * (1 - turns / np.pi))
 
 
-def _bending_prices(first: Landmarks, second: Landmarks, works: Works) -> Floats:
+def _bending_prices(first: Landmarks, second: Landmarks, pricing: Pricing) -> Floats:
     """Give the price of the difference in turns and bends, for each pair of landmarks."""
     turns = np.abs(np.subtract.outer(first.turns, second.turns))
     bends = np.mean(
         [_angles(np.subtract.outer(a, b)) for a, b in zip(first.bends[1:], second.bends[1:], strict=True)],
         axis=0,
     )
-    return np.asarray(works.turn / np.pi * turns + works.bend / np.pi * bends)
+    return np.asarray(pricing.turn / np.pi * turns + pricing.bend / np.pi * bends)
 
 
 def _angles(differences: Floats) -> Floats:
