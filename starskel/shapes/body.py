@@ -11,6 +11,7 @@ from starskel.blending.methods import blend_pair
 from starskel.blending.star_skeleton import StarSkeletonBlend
 from starskel.blending.vertex import VertexBlend
 from starskel.correspondence import Correspondence
+from starskel.outline import precedes
 from starskel.polar import as_complex, as_points
 from starskel.shapes.correspondence import PartPair
 from starskel.shapes.regions import decompose_region
@@ -31,33 +32,39 @@ class Body:
     ----------
     part : PartPair
     blend : Blend
-        Of the part's pair, the target turned back by the rotation, round its middle.
-    rotation : float
-        By how much the frame turns in which the blend is.
+        Of the part's pair, source and target turned back by these angles, round their middles.
+    turned : (float, float)
+        How far the frame in which the blend is has turned at t = 0 and 1; between them it turns evenly.
     """
 
     part: PartPair
     blend: Blend
-    rotation: float = 0.0
+    turned: tuple[float, float] = (0.0, 0.0)
 
     def moved(self, ts: Floats) -> tuple[Complex, Complex]:
         """Give the rows relative to the part's root, (times, n), and where that is in the blend, (times,)."""
         rows = as_complex(self.blend.frames(ts))
         roots = self._roots(ts, rows)
-        turned = np.exp(1j * self.rotation * ts)[:, None]
-        return (rows - roots[:, None]) * turned, roots
+        return (rows - roots[:, None]) * self._turns(ts)[:, None], roots
 
     def carried(self, t: float, points: Floats, anchor: Floats, place: Floats) -> Floats:
         """Give (m, 2) points of the blend at t where the part is then; the anchor comes to a place."""
-        turn = np.exp(1j * self.rotation * t)
+        (turn,) = self._turns(np.array([t]))
         return as_points((as_complex(points) - complex(*anchor)) * turn + complex(*place))
 
     @property
     def root_ends(self) -> tuple[complex, complex]:
         """Where the root is in source and target."""
-        first, last = self.moved(np.array([0.0, 1.0]))[1].tolist()
-        middle = complex(as_complex(row_masses(self.part.pair) @ self.part.pair.target))
-        return first, middle + (last - middle) * complex(np.exp(1j * self.rotation))
+        ends = np.array([0.0, 1.0])
+        pair = self.part.pair
+        middles = row_masses(pair) @ as_complex(np.stack([pair.source, pair.target], axis=1))
+        first, last = (middles + (self.moved(ends)[1] - middles) * self._turns(ends)).tolist()
+        return first, last
+
+    def _turns(self, ts: Floats) -> Complex:
+        """Give by which factors the frame is turned at each time."""
+        start, end = self.turned
+        return np.asarray(np.exp(1j * ((1 - ts) * start + ts * end)))
 
     def _roots(self, ts: Floats, rows: Complex) -> Complex:
         """Give the star-skeleton's root; of methods that hang on none, the middle of all rings."""
@@ -96,15 +103,30 @@ def prepared(part: PartPair, manner: Manner, rotation: float, task: Task) -> Bod
         If the task is told to stop.
     """
     turning = part.alone or (abs(rotation) > MOST_TURN and manner.method != "vertex")
-    pair = _turned_back(part.pair, rotation) if turning else part.pair
+    turned = _ends_turned(part.pair, rotation) if turning else (0.0, 0.0)
+    pair = _turned_back(part.pair, turned)
     made = VertexBlend(pair) if part.alone else _blend(pair, manner, task)
-    return Body(part, made, rotation if turning else 0.0)
+    return Body(part, made, turned)
 
 
-def _turned_back(pair: Correspondence, rotation: float) -> Correspondence:
-    rows = as_complex(pair.target)
-    middle = row_masses(pair) @ rows
-    return replace(pair, target=as_points(middle + (rows - middle) * np.exp(-1j * rotation)))
+def _ends_turned(pair: Correspondence, rotation: float) -> tuple[float, float]:
+    """Give by how much to turn back either end: always the same shape, whichever is called the source."""
+    return (-rotation, 0.0) if precedes(pair.target, pair.source) else (0.0, rotation)
+
+
+def _turned_back(pair: Correspondence, turned: tuple[float, float]) -> Correspondence:
+    source, target = (
+        _turned(rows, row_masses(pair), -angle) if angle else rows
+        for rows, angle in zip((pair.source, pair.target), turned, strict=True)
+    )
+    return replace(pair, source=source, target=target)
+
+
+def _turned(points: Floats, weights: Floats, angle: float) -> Floats:
+    """Turn points round their middle."""
+    rows = as_complex(points)
+    middle = weights @ rows
+    return as_points(middle + (rows - middle) * np.exp(1j * angle))
 
 
 def _blend(pair: Correspondence, manner: Manner, task: Task) -> Blend:

@@ -7,7 +7,7 @@ often in both: with bends there always is a chain, whatever the holes are paired
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice, pairwise
 
 import numpy as np
@@ -16,6 +16,7 @@ from starskel.arrays import Floats, Indices
 from starskel.correspondence import Correspondence
 from starskel.errors import StarskelError, told
 from starskel.shapes.chains import Bridges, Search, chains
+from starskel.shapes.reading import RegionReading
 from starskel.shapes.region import Region
 from starskel.shapes.routes import Bridge, bends_of
 from starskel.task import Task
@@ -52,11 +53,20 @@ class BridgeChain:
 def chain_of(pair: Correspondence, task: Task) -> BridgeChain:
     """Give the cheapest chain: short bridges, in source and target, that part every ring well.
 
+    It is the same whichever region is the source, wherever rings begin, and in a mirrored pair.
+
     Raises
     ------
     StarskelError
         If a region is too narrow somewhere for floating point.
     """
+    reading = RegionReading.of(pair)
+    found = _chain(reading.read(pair), task)
+    bridges = tuple((int(reading.rows[i]), int(reading.rows[j])) for i, j in found.bridges)
+    return replace(found, bridges=bridges, bends=reading.back(found.bends))
+
+
+def _chain(pair: Correspondence, task: Task) -> BridgeChain:
     regions = [Region(rows, pair.starts, pair.following) for rows in (pair.source, pair.target)]
     bridges = Bridges(pair, regions)
     for search in STRAIGHT:

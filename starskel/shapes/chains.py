@@ -97,9 +97,7 @@ class Bridges:
 
     def _lengths(self, i: Indices, j: Indices) -> Floats:
         """Give the lengths of bridges, in parts of the shapes' sizes, summed over both."""
-        ways = [
-            (region.rows[j] - region.rows[i], np.ptp(region.rows, axis=0).max()) for region in self._regions
-        ]
+        ways = [(region.rows[j] - region.rows[i], region.size) for region in self._regions]
         return np.asarray(sum(np.hypot(*way.T) / size for way, size in ways))
 
 

@@ -24,6 +24,8 @@ class Region:
     following : (n,) array of int
         For each row the one after it on its ring.
     area : shapely Polygon
+    size : float
+        Its reach in any direction: twice the radius of the smallest circle around it.
     """
 
     def __init__(self, rows: Floats, starts: Sequence[int], following: Indices) -> None:
@@ -31,9 +33,10 @@ class Region:
         self.following = following
         outline, *holes = np.split(rows, starts[1:])
         self.area = shapely.Polygon(outline, holes)
+        self.size = 2 * float(shapely.minimum_bounding_radius(self.area))
         shapely.prepare(self.area)
         self._edges = shapely.STRtree(_segments(rows, rows[following]))
-        self._apart = APART * float(np.ptp(rows, axis=0).max())
+        self._apart = APART * self.size
 
     def clear(self, starts: Floats, ends: Floats) -> Flags:
         """Tell which segments lie in the open inside, and not all but outside; their ends may be vertices.

@@ -5,6 +5,7 @@ import pytest
 
 import starskel
 from starskel.files.examples import example
+from tests.starskel.shapes.regions import parts_in_a_row
 
 EXAMPLES = ("letters-a-r", "letters-i-j", "figure-9-fish")
 METHODS = ("stitched", "rigid", "star-skeleton", "edge-angle", "vertex")
@@ -66,6 +67,19 @@ def test_exchanged_shapes_go_the_same_way_back(name, method):
     )
     for t in TIMES:
         assert_like([r[None] for r in back.at(1 - t)], [r[None] for r in there.at(t)])
+
+
+@pytest.mark.parametrize("method", ["star-skeleton", "stitched"])
+@pytest.mark.parametrize("seed", [19, 26, 35])
+def test_exchanged_parts_that_turn_and_have_holes_go_the_same_way_back(seed, method):
+    """The target was always turned back, and bridges led this way or that as rows happened to be counted."""
+    source, target = map(starskel.Shape, parts_in_a_row(seed))
+    there, back = (starskel.blend(a, b, method=method) for a, b in ((source, target), (target, source)))
+    ways = {link[::-1]: ring for link, ring in zip(back.pair.pairing, back.at(0.7), strict=True)}
+    size = max(np.ptp(ring, axis=0).max() for ring in there.at(0))
+    for link, ring in zip(there.pair.pairing, there.at(0.3), strict=True):
+        shifts = [np.abs(ring - np.roll(ways[link], k, axis=0)).max() for k in range(len(ring))]
+        assert min(shifts) < 1e-9 * size
 
 
 @pytest.mark.parametrize("method", METHODS)

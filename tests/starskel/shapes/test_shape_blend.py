@@ -199,7 +199,7 @@ def test_bridges_pass_no_vertex_by_rounding_alone(angle):
     assert all(blend.shape_at(t).is_valid for t in np.linspace(0, 1, 41))
 
 
-@pytest.mark.parametrize("seed", [2, 27])
+@pytest.mark.parametrize("seed", [14, 27])
 def test_holes_that_stitched_pushes_out_stay_inside_by_certified(seed):
     pair, times = holed_pair(seed), np.linspace(0, 1, 21)
     stitched = starskel.blend(pair, method="stitched")
@@ -236,8 +236,8 @@ def test_a_certified_part_with_holes_grows_from_a_point(backwards):
 @pytest.mark.parametrize(
     ("seed", "what"),
     [
-        (27, r"the ring paired as \(2, 2\) crosses itself"),
-        (34, r"the rings paired as \(0, 0\) and \(3, 3\) meet"),
+        (2, r"the ring paired as \(0, 0\) crosses itself"),
+        (59, r"the rings paired as \(0, 0\) and \(3, 3\) meet"),
     ],
 )
 def test_a_certified_blend_says_which_rings_meet_where_no_way_round_is_found(monkeypatch, seed, what):
