@@ -24,10 +24,10 @@ from app.model.marks import Marks, Side
 from app.model.news import NONE, News, news_of
 from app.model.selection import Selection
 from app.tools.hand import Hand, Pointed
-from app.tools.marking import replace_marks
 from app.tools.refusal import Refusal
 from app.tools.settings import ToolSettings
 from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Tool, ToolContext
+from app.tools.verbs.marks import replace_marks
 from starskel.files.disk import clear_leftovers
 from starskel.files.project import Project
 from starskel.files.project_file import read_project, write_project

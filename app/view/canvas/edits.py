@@ -9,9 +9,9 @@ from app.model.clipping import clipping_of
 from app.model.marks import Side
 from app.model.selection import Selection
 from app.session import Session
-from app.tools.pasting import cut
 from app.tools.tool import ToolContext
-from app.tools.verbs import VERBS, meant
+from app.tools.verbs.pasting import cut
+from app.tools.verbs.shape import VERBS, meant
 from app.view.canvas.canvas import Canvas
 from app.view.canvas.clipboard import copy_shape
 

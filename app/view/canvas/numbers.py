@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QDoubleSpinBox
 
 from app.model.point import Point
 from app.session import Session
-from app.tools import numbers
 from app.tools.tool import Response, ToolContext
+from app.tools.verbs import numbers
 from app.view.canvas.option_pages import Page
 from app.view.wording.decimal_field import DecimalField
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QSlider, QToolButton
 from app.model.marks import Side
 from app.model.point import Point
 from app.session import Session
-from app.tools.backdrop import centre_picture, fade_picture, resize_picture, turn_picture
+from app.tools.verbs.picture import centre_picture, fade_picture, resize_picture, turn_picture
 from app.view.canvas.numbers import Measured, Placing
 from app.view.commands.actions import Actions
 from starskel.files.picture import Picture

@@ -18,10 +18,10 @@ from app.model.marks import SIDES, Side
 from app.model.selection import Selection
 from app.model.texts import QT_TRANSLATE_NOOP
 from app.session import Session
-from app.tools.pasting import pasted, put
 from app.tools.refusal import Refusal
 from app.tools.select import SelectTool
 from app.tools.tool import Response, ToolContext
+from app.tools.verbs.pasting import pasted, put
 from app.view.canvas.canvas import Canvas
 from app.view.canvas.clipboard import copied_shape, copied_svg
 from app.view.files.dialogs import complain, path_to_import

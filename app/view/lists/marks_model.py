@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QIcon, QPalette
 
 from app.model.marks import SIDES, Side, end
 from app.session import Session
-from app.tools.marking import move_mark, set_mark
+from app.tools.verbs.marks import move_mark, set_mark
 from app.view.painting.icons import swatch
 from app.view.painting.theme import theme_of
 from app.view.wording import words

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.session import Session
-from app.tools.marking import remove_mark
+from app.tools.verbs.marks import remove_mark
 from app.view.lists.marks_model import Index, MarksModel
 from app.view.painting.theme import theme_of
 from app.view.wording import words

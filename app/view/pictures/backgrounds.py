@@ -8,10 +8,10 @@ from PySide6.QtWidgets import QWidget
 
 from app.model.marks import Side
 from app.session import Session
-from app.tools.backdrop import crop_picture, lock_picture, traced, with_picture, without_picture
 from app.tools.picture import PictureTool
 from app.tools.refusal import Refusal
 from app.tools.tool import Response
+from app.tools.verbs.picture import crop_picture, lock_picture, traced, with_picture, without_picture
 from app.view.asking import accepted
 from app.view.canvas.canvas import Canvas
 from app.view.files.dialogs import picture_to_open

@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
-from app.tools.marking import set_mark
+from app.tools.verbs.marks import set_mark
 from tests.app.driver import CONTROL, SQUARE, Driver
 
 KEYS = {"tab": Qt.Key.Key_Tab, "enter": Qt.Key.Key_Return, "up": Qt.Key.Key_Up, "down": Qt.Key.Key_Down}
