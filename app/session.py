@@ -30,7 +30,7 @@ from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Tool, ToolCo
 from app.tools.verbs.marks import replace_marks
 from starskel.files.disk import clear_leftovers
 from starskel.files.project import Project
-from starskel.files.project_file import read_project, write_project
+from starskel.files.project_file import write_project
 
 
 class Session(QObject):
@@ -284,17 +284,6 @@ class Session(QObject):
 
     def new(self) -> None:
         self._start(Document(methods=USUAL_METHODS))
-
-    def open(self, path: Path) -> None:
-        """Open a project file.
-
-        Raises
-        ------
-        StarskelError
-            If it cannot be read; what was open stays open.
-        """
-        file = Filed.now(path)
-        self.show_project(read_project(path), file)
 
     def show_project(self, project: Project, file: Filed | None = None, *, saved: bool = True) -> None:
         """Edit a project, which may have no file yet, or differ from its file where it is not saved.

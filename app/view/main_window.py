@@ -139,7 +139,7 @@ class MainWindow(QMainWindow):
         return body
 
     def _status(self) -> Status:
-        status = Status(self.session, self.actions_table)
+        status = Status(self.session, self.importing.reader, self.actions_table)
         self.files.exported.connect(status.tell_written)
         self.importing.told.connect(status.tell)
         return status
@@ -177,7 +177,7 @@ class MainWindow(QMainWindow):
             "redo": session.redo,
             "select-all": self._select_all,
             "delete": self._delete,
-            "cancel": session.cancel,
+            "cancel": self._cancel,
             "recover": self.recovering.offer,
             **self.edits.handlers(),
             **self.partnering.handlers(),
@@ -218,6 +218,14 @@ class MainWindow(QMainWindow):
         if not self.session.tool.busy and self.session.tool.name != "picture":
             self.session.choose_tool("select")  # what is selected can be deleted whatever the tool in hand
         self.session.key(Key("delete"))
+
+    @Slot()
+    def _cancel(self) -> None:
+        """Give up the nearest thing that can be given up; a gesture is nearer than a file being read."""
+        if self.importing.reader.busy and not self.session.hand.occupied:
+            self.importing.reader.cancel()
+        else:
+            self.session.cancel()
 
     @Slot()
     def _suggest_marks(self) -> None:

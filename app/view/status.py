@@ -6,19 +6,18 @@ from time import monotonic
 
 from PySide6.QtCore import QTimer, QUrl, Slot
 from PySide6.QtGui import QDesktopServices
-from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar, QToolButton
+from PySide6.QtWidgets import QStatusBar, QToolButton
 
 from app.session import Session
 from app.view.commands.actions import Actions
+from app.view.files.file_reader import FileReader
 from app.view.wording import words
 from app.view.wording.counts import COUNTS
 from app.view.wording.fitting_label import FittingLabel
+from app.view.work_indicator import WorkIndicator
 
 NOTICE = 12_000
 """Milliseconds that a notice stays."""
-
-BLINK = 300
-"""Milliseconds of work that are not worth a word."""
 
 TELLING = 2.0
 """Seconds of work after which its pace tells how long the rest will take."""
@@ -63,40 +62,29 @@ class _FolderButton(QToolButton):
 
 
 class Status(QStatusBar):
-    """Shows the tool's hint on the left, the worker's progress on the right."""
+    """Shows the tool's hint on the left, what is read and computed on the right."""
 
-    def __init__(self, session: Session, actions: Actions) -> None:
+    def __init__(self, session: Session, reader: FileReader, actions: Actions) -> None:
         super().__init__()
         self._session = session
         self._begun = monotonic()
         self.hint = FittingLabel()
         self.hint.setObjectName("hint")
-        self.work = QLabel()
-        self.work.setObjectName("work")
-        self.work.setAccessibleName(self.tr("What is being computed"))
-        self.progress = QProgressBar()
-        self.progress.setAccessibleName(self.tr("Progress"))
-        self.progress.setRange(0, 100)
-        self.progress.setFixedWidth(140)
-        self.progress.setMaximumHeight(14)
-        self.progress.setTextVisible(False)
-        self.stop = QToolButton()
-        self.stop.setDefaultAction(actions["cancel"])
-        self.stop.setAccessibleName(self.tr("Cancel"))
+        self.work = WorkIndicator(self.tr("What is being computed"), actions["cancel"])
+        self.reading = WorkIndicator(self.tr("What is being read"), actions["cancel"])
         self.setSizeGripEnabled(False)
         self.setContentsMargins(8, 2, 8, 2)
         self.addWidget(self.hint, 1)
         self.folder = _FolderButton()
-        for widget in (self.folder, self.work, self.progress, self.stop):
+        for widget in (self.folder, self.reading, self.work):
             self.addPermanentWidget(widget)
-        self._delay = QTimer(self)
-        self._delay.setSingleShot(True)
-        self._delay.setInterval(BLINK)
-        self._delay.timeout.connect(self._show_work)
         session.tool_changed.connect(self._show_hint)
         session.blends.progressed.connect(self._show_progress)
         session.blends.busy_changed.connect(self._show_busy)
         session.blends.restarted.connect(self._tell_restart)
+        reader.begun.connect(self._show_reading)
+        reader.progressed.connect(self.reading.report)
+        reader.ended.connect(self.reading.end)
         self._show_hint()
         self._show_busy(session.blends.busy)
 
@@ -126,29 +114,19 @@ class Status(QStatusBar):
     def _show_progress(self, method: str, fraction: float) -> None:
         text = self.tr("Computing {method}…").format(method=words.method(method))
         left = seconds_left(monotonic() - self._begun, fraction)
-        self.work.setText(text if left is None else f"{text} {COUNTS.seconds_left(left)}")
-        self.progress.setValue(round(100 * fraction))
+        self.work.report(fraction, text if left is None else f"{text} {COUNTS.seconds_left(left)}")
 
     @Slot(bool)
     def _show_busy(self, busy: bool) -> None:
-        """Show what is done and a way to stop it, where it takes longer than a blink."""
         if busy:
             self._begun = monotonic()
-            self.work.clear()
-            self._delay.start()
+            self.work.begin(self.tr("Computing…"))
         else:
-            self._delay.stop()
-            self._set_busy(False)
-            self.work.setText(self._outcome())
+            self.work.end(self._outcome())
 
-    @Slot()
-    def _show_work(self) -> None:
-        self.work.setText(self.work.text() or self.tr("Computing…"))
-        self._set_busy(True)
-
-    def _set_busy(self, busy: bool) -> None:
-        self.progress.setVisible(busy)
-        self.stop.setVisible(busy)
+    @Slot(str)
+    def _show_reading(self, name: str) -> None:
+        self.reading.begin(self.tr("Reading {name}…").format(name=name))
 
     def _outcome(self) -> str:
         if self._session.tool.busy:  # methods that do not follow a gesture are out of date until it ends

@@ -2587,10 +2587,6 @@
 <context>
     <name>Importing</name>
     <message>
-        <source>Reading {name}…</source>
-        <translation>{name} wird gelesen …</translation>
-    </message>
-    <message>
         <source>{name} cannot be read</source>
         <translation>{name} lässt sich nicht lesen</translation>
     </message>
@@ -3376,12 +3372,8 @@
         <translation>Was berechnet wird</translation>
     </message>
     <message>
-        <source>Progress</source>
-        <translation>Fortschritt</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
+        <source>What is being read</source>
+        <translation>Was gerade gelesen wird</translation>
     </message>
     <message>
         <source>Exported to {path}</source>
@@ -3398,6 +3390,10 @@
     <message>
         <source>Computing…</source>
         <translation>Berechne…</translation>
+    </message>
+    <message>
+        <source>Reading {name}…</source>
+        <translation>{name} wird gelesen …</translation>
     </message>
     <message>
         <source>Cancelled; F5 computes again</source>
@@ -3995,6 +3991,17 @@
     <message>
         <source>Set in this font, with kerning; each part of a letter becomes a part</source>
         <translation>In dieser Schrift gesetzt, mit Unterschneidung; jeder Teil eines Buchstabens wird ein Teil</translation>
+    </message>
+</context>
+<context>
+    <name>WorkIndicator</name>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>

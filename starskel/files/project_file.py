@@ -2,7 +2,8 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import accumulate, pairwise
+from operator import is_
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +28,7 @@ from starskel.files.project_versions import read_up_to_date
 from starskel.files.shapes import as_given, polygon_of, rows_of
 from starskel.files.step import Link, Step
 from starskel.limits import DOCUMENT_RINGS, Tally
+from starskel.task import UNWATCHED, Task
 
 
 def project_schema() -> dict[str, Any]:
@@ -38,11 +40,19 @@ def project_schema() -> dict[str, Any]:
     return about | msgspec.json.schema(ProjectDocument)
 
 
-def read_project(path: Path) -> Project:
+def read_project(path: Path, task: Task = UNWATCHED) -> Project:
     """Read a project file of this or an older version.
+
+    Parameters
+    ----------
+    path : Path
+    task : Task
+        It can be stopped between one ring and the next.
 
     Raises
     ------
+    Cancelled
+        If the task is stopped.
     NewerFile
         If it is one of a newer version.
     InvalidFile
@@ -52,18 +62,16 @@ def read_project(path: Path) -> Project:
     document, tally = read_up_to_date(path), Tally(str(path))
     tally.add(told("rings"), sum(len(shape.parts) for shape in document.shapes), DOCUMENT_RINGS)
     shapes = tuple(
-        _shape(shape, told("{path}: shape {letter}", path=path, letter=letter(number)), tally)
-        for number, shape in enumerate(document.shapes)
+        _shape(shape, told("{path}: shape {letter}", path=path, letter=letter(number)), tally, own)
+        for number, (shape, own) in enumerate(
+            zip(document.shapes, _shares(document.shapes, task), strict=True)
+        )
     )
     steps = tuple(
         _step(step, ends, told("{path}: step {first}-{last}", path=path, first=letter(k), last=letter(k + 1)))
         for k, (step, ends) in enumerate(zip(document.steps, pairwise(shapes), strict=True))
     )
-    # the polygons as if they had been given counter-clockwise, as their marks are
-    own = tuple(
-        replace(shape, parts=tuple(replace(part, ring=as_given(part.ring)) for part in shape.parts))
-        for shape in shapes
-    )
+    own = tuple(map(_turned, shapes))
     return Project(document.name, own, steps, _methods(path, document.methods), document.description)
 
 
@@ -104,23 +112,38 @@ def project_content(project: Project) -> dict[str, Any]:
     return msgspec.structs.asdict(document)
 
 
-def _shape(shape: ShapeEntry, where: str, tally: Tally) -> KeyShape:
-    several = len(shape.parts) > 1
-    parts = [
-        Part(
-            polygon_of(
-                part.ring, told("{where}, part {number}", where=where, number=k) if several else where, tally
-            ),
-            part.name,
-            part.colour,
-            part.visible,
-        )
-        for k, part in enumerate(shape.parts)
+def _shares(entries: Sequence[ShapeEntry | PartEntry], task: Task) -> list[Task]:
+    """Give each of some shapes, or parts, its share of the work: it is as long as it has vertices."""
+    counts = [
+        sum(len(part.ring) for part in (entry.parts if isinstance(entry, ShapeEntry) else [entry]))
+        for entry in entries
     ]
+    ends = [end / max(sum(counts), 1) for end in accumulate(counts, initial=0)]
+    return [task.part(start, end) for start, end in pairwise(ends)]
+
+
+def _shape(shape: ShapeEntry, where: str, tally: Tally, task: Task) -> KeyShape:
+    several = len(shape.parts) > 1
+    parts = []
+    for k, (part, own) in enumerate(zip(shape.parts, _shares(shape.parts, task), strict=True)):
+        own.reach(0)
+        named = told("{where}, part {number}", where=where, number=k) if several else where
+        ring = polygon_of(part.ring, named, tally)
+        parts.append(Part(ring, part.name, part.colour, part.visible))
     try:
         return KeyShape(tuple(parts), shape.picture)
     except InvalidPolygon as error:
         raise InvalidFile.holding(error, where) from error
+
+
+def _turned(shape: KeyShape) -> KeyShape:
+    """Give the polygons as if they had been given counter-clockwise, as their marks are."""
+    own = tuple(as_given(ring) for ring in shape.rings)
+    if all(map(is_, own, shape.rings)):
+        return shape
+    return replace(
+        shape, parts=tuple(replace(part, ring=ring) for part, ring in zip(shape.parts, own, strict=True))
+    )
 
 
 def _step(given: StepEntry, ends: tuple[KeyShape, KeyShape], where: str) -> Step:

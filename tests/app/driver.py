@@ -86,6 +86,14 @@ class Driver:
         """Give the vertices in whole units: a pixel is less than one."""
         return self.document.vertices(side).round(0).tolist()
 
+    def open(self, path: Path) -> None:
+        """Open a file and wait until it is read, and what it asks is answered."""
+        self.window.files.open(path)
+        self.wait_until_read()
+
+    def wait_until_read(self) -> None:
+        self.wait(lambda: not self.window.importing.reader.busy)
+
     def draw(self, side: Side, places: tuple[tuple[float, float], ...]) -> None:
         """Draw a shape with the drawing tool and close it by Enter."""
         self.key(Qt.Key.Key_D)

@@ -1,7 +1,8 @@
 """Files from the user's side: new, open, save, export, and no change lost on the way."""
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
@@ -9,7 +10,9 @@ from typing import TYPE_CHECKING, TypeAlias
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtWidgets import QMainWindow
 
+from app.compute.errands import Work
 from app.model.document import Document
+from app.model.filing import Filed
 from app.session import Session
 from app.view.asking import accepted
 from app.view.files.dialogs import (
@@ -24,6 +27,7 @@ from app.view.files.dialogs import (
     path_to_open,
     path_to_save,
 )
+from app.view.files.file_reader import Take
 from app.view.files.importing import Aim, Importing
 from app.view.files.remembered import remember_file
 from app.view.painting.display import Display
@@ -38,7 +42,9 @@ from starskel.files.multi_pairs import MultiPair, read_multi_pairs
 from starskel.files.pair_file import IMAGE_PAIRS, PairFile
 from starskel.files.pairs import ShapePair, read_pairs
 from starskel.files.project import Project
+from starskel.files.project_file import read_project
 from starskel.reading.readers import ENDINGS
+from starskel.task import Task
 
 if TYPE_CHECKING:  # loaded when it is wanted, so that the window opens sooner
     from app.view.files.export.exporting import Exporting
@@ -59,6 +65,27 @@ PAIRS: dict[str, Callable[[Path], AnyFile]] = {
     IMAGE_PAIRS: _read_image_pairs,
 }
 """What reads a file of pairs, by its format."""
+
+
+@dataclass(frozen=True)
+class Stored:
+    """A project and its file, as it was when it was read."""
+
+    project: Project
+    file: Filed
+
+
+def _read_document(path: Path, task: Task) -> "Stored | AnyFile":
+    """Read a project or a file of pairs."""
+    if (read := PAIRS.get(format_of(path))) is not None:
+        return read(path)
+    file = Filed.now(path)
+    return Stored(read_project(path, task), file)
+
+
+def _read_pair(file: AnyFile, chosen: str, _: Task) -> Project:
+    pair = file.pair(chosen)
+    return Project.of(pair) if isinstance(pair, ShapePair | MultiPair) else pair.project
 
 
 class Files(QObject):
@@ -82,7 +109,7 @@ class Files(QObject):
         self._player = player
         self._display = display
         self._exporting: Exporting | None = None
-        self._left: Document | None = None  # what was open when a drawing was read, which may make way for it
+        self._left: Document | None = None  # what was open when a file was asked for, and may make way for it
 
     @property
     def name(self) -> str:
@@ -113,19 +140,15 @@ class Files(QObject):
             self.open(path)
 
     def open(self, path: Path) -> None:
-        """Open a project, a pair of a file of pairs, or a drawing; where that fails, what is open stays."""
+        """Open a project, a pair of a file of pairs, or a drawing, once it is read.
+
+        Until then, and where that fails or is given up, what is open stays.
+        """
+        self._left = self._session.document
         if path.suffix.lower() in ENDINGS:
-            self._left = self._session.document
             self._importing.read(Aim(path, anew=True))
-            return
-        try:
-            if (read := PAIRS.get(format_of(path))) is not None:
-                self._open_pair(read(path))
-            else:
-                self._session.open(path)
-            remember_file(path)
-        except StarskelError as error:
-            complain(self._window, self.tr("{name} cannot be opened").format(name=path.name), error)
+        else:
+            self._read(path, partial(_read_document, path), partial(self._take, path))
 
     @Slot(object)
     def open_example(self, name: str) -> None:
@@ -163,24 +186,41 @@ class Files(QObject):
         if (path := self._exporting.export(file_name_of(self.name))) is not None:
             self.exported.emit(path)
 
+    def _read(self, path: Path, work: Work, take: Take) -> None:
+        self._importing.reader.read(path.name, work, take, partial(self._refuse, path))
+
+    def _refuse(self, path: Path, error: StarskelError) -> None:
+        complain(self._window, self.tr("{name} cannot be opened").format(name=path.name), error)
+
+    def _take(self, path: Path, document: "Stored | AnyFile") -> None:
+        """Edit a project; of a file of pairs, one, which is checked beside the window, too."""
+        if isinstance(document, Stored):
+            self._show(path, document.project, document.file)
+        elif (chosen := self._chosen(document.ids)) is not None:
+            self._read(path, partial(_read_pair, document, chosen), partial(self._begin, path=path))
+
+    def _chosen(self, ids: tuple[str, ...]) -> str | None:
+        if len(ids) == 1:
+            return ids[0]
+        dialog = PairDialog(ids, self._window)
+        return dialog.chosen if accepted(dialog) else None
+
     @Slot(object, object)
     def _begin(self, project: Project, path: Path) -> None:
-        """Edit what was read of a drawing; what was done while it was read is lost only if that is wished."""
-        if self._session.document is self._left or self.may_go():
-            self._session.show_project(project)
-            remember_file(path)
+        """Edit what was read of a file that it is not saved to."""
+        self._show(path, project)
 
-    def _open_pair(self, file: AnyFile) -> None:
-        chosen: str | None = file.ids[0]
-        if len(file.ids) > 1:
-            dialog = PairDialog(file.ids, self._window)
-            chosen = dialog.chosen if accepted(dialog) else None
-        if chosen is not None:
-            pair = file.pair(chosen)
-            if isinstance(pair, ShapePair | MultiPair):
-                self._session.show_project(Project.of(pair))
-            else:
-                self._session.show_project(pair.project)
+    def _show(self, path: Path, project: Project, file: Filed | None = None) -> None:
+        """Edit a project; what was done while it was read is lost only if that is wished."""
+        left = self._session.document is self._left and not self._session.tool.busy
+        if not (left or self.may_go()):
+            return
+        try:
+            self._session.show_project(project, file)
+        except StarskelError as error:
+            self._refuse(path, error)
+        else:
+            remember_file(path)
 
     def _save(self, path: Path) -> bool:
         file = self._session.file

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtWidgets import QWidget
 
 from app.compute import USUAL_METHODS
-from app.compute.errands import Errands, Outcome
+from app.compute.errands import Work
 from app.model.document import Document
 from app.model.filing import project_of
 from app.model.marks import SIDES, Side
@@ -25,6 +25,7 @@ from app.tools.verbs.pasting import pasted, put
 from app.view.canvas.canvas import Canvas
 from app.view.canvas.clipboard import copied_shape, copied_svg
 from app.view.files.dialogs import complain, path_to_import
+from app.view.files.file_reader import FileReader
 from app.view.wording import words
 from starskel.errors import StarskelError
 from starskel.task import Task
@@ -68,9 +69,12 @@ class Importing(QObject):
         self._window = window
         self._session = session
         self._canvases = canvases
-        self._aim = Aim(Path())
-        self._errands = Errands(self)
-        self._errands.done.connect(self._take)
+        self.reader = FileReader(self)
+        session.opened.connect(self.reader.cancel)  # what is being read was to replace what was open
+
+    def close(self) -> None:
+        """End the reader; to be called before the program ends."""
+        self.reader.close()
 
     @Slot()
     def choose(self) -> None:
@@ -87,45 +91,34 @@ class Importing(QObject):
             self._session.edit(partial(pasted, side=side, clipping=clipping))
             self._canvases[side].reveal()
             return
-        self._aim = Aim(_CLIPBOARD, side)
+        aim = Aim(_CLIPBOARD, side)
         try:
             content = copied_svg()
         except StarskelError as error:
-            self._refuse(error)
+            self._refuse(aim, error)
         else:
-            self._errands.do(partial(_read_content, content))
+            self._read(aim, partial(_read_content, content))
 
     def read(self, aim: Aim) -> None:
-        """Read a file; what is then done with its shapes is the newest aim."""
-        self._aim = aim
-        self.told.emit(self.tr("Reading {name}…").format(name=aim.path.name))
-        self._errands.do(partial(_read, aim.path))
+        """Read a file, and do with its shapes what is aimed at."""
+        self._read(aim, partial(_read, aim.path))
 
-    def close(self) -> None:
-        """End the worker; to be called before the program ends."""
-        self._errands.close()
+    def _read(self, aim: Aim, work: Work) -> None:
+        self.reader.read(aim.path.name, work, partial(self._take, aim), partial(self._refuse, aim))
 
-    @Slot(object)
-    def _take(self, outcome: Outcome) -> None:
-        self.told.emit("")
-        if isinstance(outcome.error, StarskelError):
-            self._refuse(outcome.error)
-        elif outcome.error is not None:
-            raise outcome.error
-        elif (chosen := self._chosen(outcome.value)) is not None:
-            self._put(chosen)
+    def _take(self, aim: Aim, reading: "Reading") -> None:
+        if (chosen := self._chosen(aim, reading)) is not None:
+            self._put(aim, chosen)
 
-    def _refuse(self, error: StarskelError) -> None:
-        aim = self._aim
+    def _refuse(self, aim: Aim, error: StarskelError) -> None:
         if aim.side is None:
             complain(self._window, self.tr("{name} cannot be read").format(name=aim.path.name), error)
         else:
             refusal = Refusal(aim.side, error)
             self._session.edit(lambda context: Response(SelectTool(refusal.side), refusal=refusal))
 
-    def _chosen(self, reading: "Reading") -> "Mapping[Side, Found] | None":
+    def _chosen(self, aim: Aim, reading: "Reading") -> "Mapping[Side, Found] | None":
         """Give a shape for each canvas that gets one, asking where a file holds several."""
-        aim = self._aim
         if len(reading.shapes) == 1:
             return {aim.side or ("source" if aim.anew else self._session.selection.side): reading.shapes[0]}
         chooser = import_module("app.view.files.shape_chooser")
@@ -135,19 +128,19 @@ class Importing(QObject):
         )
         return chosen
 
-    def _put(self, chosen: "Mapping[Side, Found]") -> None:
+    def _put(self, aim: Aim, chosen: "Mapping[Side, Found]") -> None:
         shapes = {side: found.shape for side, found in chosen.items()}
         name = (
             QT_TRANSLATE_NOOP("Step", "Paste shape")
-            if self._aim.path == _CLIPBOARD
+            if aim.path == _CLIPBOARD
             else QT_TRANSLATE_NOOP("Step", "Import shapes")
         )
         verb = partial(put, shapes=shapes, name=name)
-        if self._aim.anew:
-            title = self._aim.path.stem
+        if aim.anew:
+            title = aim.path.stem
             begun = verb(ToolContext(Document(title, methods=USUAL_METHODS), Selection("source")))
             if begun.commit is not None:
-                self.begun.emit(project_of(begun.commit.document, title), self._aim.path)
+                self.begun.emit(project_of(begun.commit.document, title), aim.path)
         else:
             self._session.edit(verb)
             for side in shapes:

@@ -16,8 +16,9 @@ from PySide6.QtWidgets import (
 )
 
 from app.model.marks import SIDES
-from app.view.files import exporting, files
+from app.view.files import files
 from app.view.files.dialogs import PairDialog, SaveDialog
+from app.view.files.export import exporting
 from app.view.files.remembered import last_folder
 from app.view.main_window import MainWindow
 from starskel.files.examples import example
@@ -52,6 +53,7 @@ def test_a_drawing_is_saved_and_opened_again(driver: Driver, tmp_path: Path) -> 
     assert driver.document.source is None
     driver.in_dialog(lambda dialog: name_file(dialog, "boxes.json"))
     driver.key(Qt.Key.Key_O, CONTROL)
+    driver.wait_until_read()
     assert driver.document.source == saved.source
     assert driver.document.marks == saved.marks
 
@@ -125,7 +127,7 @@ def test_a_damaged_file_is_explained_and_nothing_is_lost(
         dialog.accept()
 
     driver.in_dialog(read)
-    driver.window.files.open(path)
+    driver.open(path)
     assert "damaged.json" in said[0]
     assert driver.document == kept
     assert driver.session.undoes == "Draw shape"
@@ -146,7 +148,7 @@ def test_a_project_whose_marks_cross_is_explained(driver: Driver, tmp_path: Path
         dialog.accept()
 
     driver.in_dialog(read)
-    driver.window.files.open(path)
+    driver.open(path)
     assert "order" in said[0]
     assert driver.document.source is None
 
@@ -164,7 +166,7 @@ def test_one_of_many_pairs_is_chosen_by_its_name(driver: Driver, tmp_path: Path)
         QTest.keyClick(field, Qt.Key.Key_Return)
 
     driver.in_dialog(choose)
-    driver.window.files.open(path)
+    driver.open(path)
     assert driver.document.name == "star"
     assert driver.document.marks == _pair("star").marks
     assert "star" in driver.window.windowTitle()
@@ -314,7 +316,7 @@ def test_a_pair_of_pictures_is_opened_with_them(driver: Driver, tmp_path: Path) 
     path = tmp_path / "images.json"
     entry = {"id": "one", "p": side, "q": side}
     path.write_text(json.dumps({"format": "image-pairs/1", "pairs": [entry]}))
-    driver.window.files.open(path)
+    driver.open(path)
     for name in SIDES:
         picture = driver.document.picture(name)
         assert picture is not None

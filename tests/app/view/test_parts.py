@@ -151,7 +151,7 @@ def test_everything_is_saved(face: Driver, tmp_path) -> None:  # type: ignore[no
     face.session.save(tmp_path / "face.json")
     saved = face.document
     face.session.new()
-    face.session.open(tmp_path / "face.json")
+    face.open(tmp_path / "face.json")
     assert face.document.showing(0, 0).sequence == saved.sequence
     assert not face.session.unsaved
 

@@ -275,7 +275,7 @@ def test_a_shape_is_drawn_over_it_and_both_are_saved(pictured: Driver, tmp_path:
     path = tmp_path / "over.json"
     pictured.session.save(path)
     pictured.session.new()
-    pictured.session.open(path)
+    pictured.open(path)
     assert picture(pictured) == kept
     assert len(pictured.document.vertices("source")) == 4
 

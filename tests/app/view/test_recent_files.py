@@ -11,7 +11,7 @@ from tests.app.driver import Driver, square_project
 def test_opened_and_saved_files_are_offered_again_the_last_one_first(driver: Driver, tmp_path: Path) -> None:
     paths = [square_project(tmp_path / f"{name}.json") for name in ("one", "two & a half", "three")]
     for path in paths:
-        driver.window.files.open(path)
+        driver.open(path)
     driver.session.save(paths[0])
     driver.window.files.save()
     menu = driver.window.recent
@@ -20,6 +20,7 @@ def test_opened_and_saved_files_are_offered_again_the_last_one_first(driver: Dri
     assert not menu.actions()[0].icon().isNull()
     assert menu.actions()[0].toolTip() == str(paths[0])
     menu.actions()[2].trigger()
+    driver.wait_until_read()
     assert driver.session.path == paths[1]
 
 
@@ -28,7 +29,7 @@ def test_files_that_are_gone_are_not_offered_and_the_list_can_be_cleared(
 ) -> None:
     kept, gone = square_project(tmp_path / "kept.json"), square_project(tmp_path / "gone.json")
     for path in (kept, gone):
-        driver.window.files.open(path)
+        driver.open(path)
     gone.unlink()
     assert remembered.recent_files() == (kept,)
     driver.window.recent.aboutToShow.emit()
@@ -57,10 +58,11 @@ def test_every_example_has_a_picture(window: MainWindow) -> None:
 
 def test_a_large_file_is_offered_without_being_read(driver: Driver, tmp_path: Path) -> None:
     path = square_project(tmp_path / "large.json")
-    driver.window.files.open(path)
+    driver.open(path)
     path.write_text(path.read_text() + " " * LARGE)
     driver.window.recent.aboutToShow.emit()
     entry = driver.window.recent.actions()[0]
     assert (entry.text(), entry.icon().isNull()) == ("large", True)
     entry.trigger()
+    driver.wait_until_read()
     assert driver.session.path == path

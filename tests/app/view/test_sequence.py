@@ -259,7 +259,7 @@ def test_the_whole_sequence_is_saved(film: Driver, tmp_path) -> None:  # type: i
     assert not film.session.unsaved
     saved = read_project(tmp_path / "film.json")
     assert saved.shapes == film.document.sequence.shapes
-    film.session.open(tmp_path / "film.json")
+    film.open(tmp_path / "film.json")
     assert film.document.showing(0) == replace(film.document, name="film")
 
 

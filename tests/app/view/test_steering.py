@@ -115,7 +115,7 @@ def test_root_and_turns_are_undone_redone_and_saved(arm: Driver, tmp_path: Path)
     arm.session.save(tmp_path / "arm.json")
     assert not arm.session.unsaved
     arm.session.new()
-    arm.session.open(tmp_path / "arm.json")
+    arm.open(tmp_path / "arm.json")
     assert arm.document.way == steered.way
     assert field.value() == 2
 

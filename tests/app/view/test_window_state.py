@@ -16,7 +16,7 @@ from tests.app.driver import Driver, square_project
 def test_the_window_comes_back_as_it_was_left(driver: Driver, tmp_path: Path, qtbot: QtBot) -> None:
     path = square_project(tmp_path / "last.json")
     first = driver.window
-    first.files.open(path)
+    driver.open(path)
     first.actions_table["pieces"].trigger()
     first.actions_table["history"].trigger()
     field(first, "repeat").setCurrentIndex(1)
@@ -34,7 +34,7 @@ def test_the_window_comes_back_as_it_was_left(driver: Driver, tmp_path: Path, qt
         assert second.player.speed == first.player.speed < 1
         assert second.actions_table["history"].isChecked()
         begin(second, None)
-        assert second.session.path == path
+        qtbot.waitUntil(lambda: second.session.path == path)
     finally:
         second.close()
         second.deleteLater()
