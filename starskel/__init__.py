@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from starskel.quality import Report, ShapeReport, measure
     from starskel.shapes.blend import blend
     from starskel.shapes.correspondence import ShapeCorrespondence
-    from starskel.shapes.match import match
-    from starskel.shapes.pairing import suggest_pairing
+    from starskel.shapes.matching.match import match
+    from starskel.shapes.matching.pairing import suggest_pairing
     from starskel.shapes.shape import Shape
     from starskel.shapes.shape_blend import ShapeBlend
     from starskel.skeleton import Skeleton
@@ -82,10 +82,10 @@ _HOMES = {
     "blend": "starskel.shapes.blend",
     "decompose": "starskel.decomposition",
     "image_morph": "starskel.images.morph",
-    "match": "starskel.shapes.match",
+    "match": "starskel.shapes.matching.match",
     "measure": "starskel.quality",
     "suggest_marks": "starskel.correspondence",
-    "suggest_pairing": "starskel.shapes.pairing",
+    "suggest_pairing": "starskel.shapes.matching.pairing",
     "trace": "starskel.images.tracing",
 }
 

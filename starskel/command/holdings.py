@@ -15,7 +15,7 @@ from starskel.files.project_file import read_project
 from starskel.reading.found import Found as NamedShape
 from starskel.reading.readers import ENDINGS, FORMATS, read_shapes
 from starskel.reading.wanted import TOLERANCE
-from starskel.shapes.pairing import suggest_pairing
+from starskel.shapes.matching.pairing import suggest_pairing
 from starskel.shapes.shape import Shape
 
 __all__ = ["Holdings", "NamedShape", "check_texts", "holdings", "pair_of"]

@@ -15,7 +15,7 @@ from starskel.files.multi_pairs import MultiPair
 from starskel.files.pairs import ShapePair
 from starskel.files.project import AnyPair
 from starskel.shapes.blend import blend
-from starskel.shapes.match import match
+from starskel.shapes.matching.match import match
 from starskel.shapes.shape_blend import ShapeBlend
 
 Watch: TypeAlias = Callable[[str, float], None]

@@ -12,8 +12,8 @@ from starskel.files.documents import check_format, read_document
 from starskel.files.pair_file import PairFile
 from starskel.files.shapes import Row, check_edges
 from starskel.limits import DOCUMENT_RINGS, Tally, check_limit
-from starskel.shapes.given import Places
-from starskel.shapes.pairing import RingLink, checked_pairing, suggest_pairing
+from starskel.shapes.matching.given import Places
+from starskel.shapes.matching.pairing import RingLink, checked_pairing, suggest_pairing
 from starskel.shapes.shape import Shape
 
 FORMAT = "polygon-multi-pairs/1"

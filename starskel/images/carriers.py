@@ -13,7 +13,7 @@ from starskel.correspondence import Correspondence
 from starskel.decomposition.pieces import Decomposition
 from starskel.shapes.body import Body
 from starskel.shapes.correspondence import PartPair
-from starskel.shapes.regions import decompose_region
+from starskel.shapes.holes.pieces import decompose_region
 from starskel.shapes.shape_blend import ShapeBlend
 from starskel.task import Task
 

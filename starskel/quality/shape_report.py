@@ -9,7 +9,7 @@ import shapely
 from starskel.arrays import Flags, Floats, ReadOnlyArrays
 from starskel.outline import cross_themselves, edge_lengths, signed_areas
 from starskel.quality.drift import length_deviations, linear
-from starskel.shapes.certified import CertifiedShapeBlend
+from starskel.shapes.certified.blend import CertifiedShapeBlend
 from starskel.shapes.shape_blend import ShapeBlend
 from starskel.task import Task
 

@@ -13,10 +13,10 @@ from starskel.decomposition.pieces import Decomposition
 from starskel.errors import StarskelError
 from starskel.shapes.body import Manner
 from starskel.shapes.correspondence import ShapeCorrespondence
-from starskel.shapes.given import Marks, Places
 from starskel.shapes.joining import blend_shapes
-from starskel.shapes.match import match
-from starskel.shapes.pairing import RingLink
+from starskel.shapes.matching.given import Marks, Places
+from starskel.shapes.matching.match import match
+from starskel.shapes.matching.pairing import RingLink
 from starskel.shapes.shape import Shape, ShapeLike
 from starskel.shapes.shape_blend import ShapeBlend
 from starskel.task import Progress, ShouldStop, Task

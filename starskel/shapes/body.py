@@ -14,7 +14,7 @@ from starskel.correspondence import Correspondence
 from starskel.outline import precedes
 from starskel.polar import as_complex, as_points
 from starskel.shapes.correspondence import PartPair
-from starskel.shapes.regions import decompose_region
+from starskel.shapes.holes.pieces import decompose_region
 from starskel.task import Task
 
 MOST_TURN = np.pi / 2

@@ -9,7 +9,7 @@ import numpy as np
 from starskel.arrays import Floats, ReadOnlyArrays
 from starskel.correspondence import Correspondence
 from starskel.correspondence.marks import Mark
-from starskel.shapes.pairing import RingLink
+from starskel.shapes.matching.pairing import RingLink
 from starskel.shapes.shape import Shape
 
 

@@ -14,7 +14,7 @@ import shapely
 
 import starskel
 from starskel import ShapeBlend, StarskelError
-from starskel.shapes.certified import CertifiedShapeBlend
+from starskel.shapes.certified.blend import CertifiedShapeBlend
 from tests.benchmarks.timing import table
 from tests.starskel.shapes.regions import holed_pair
 

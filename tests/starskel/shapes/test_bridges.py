@@ -7,8 +7,8 @@ import pytest
 import shapely
 
 from starskel.decomposition.verify import faults
-from starskel.shapes.bridges import chain_of, halves
-from starskel.shapes.regions import decompose_region
+from starskel.shapes.holes.bridges import chain_of, halves
+from starskel.shapes.holes.pieces import decompose_region
 from starskel.task import UNWATCHED
 from tests.starskel.shapes.regions import holed_pair
 

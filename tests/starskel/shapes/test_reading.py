@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from starskel.polar import as_complex, as_points
-from starskel.shapes.bridges import chain_of
-from starskel.shapes.reading import RegionReading
+from starskel.shapes.holes.bridges import chain_of
+from starskel.shapes.holes.reading import RegionReading
 from starskel.task import UNWATCHED
 from tests.starskel.shapes.regions import holed_pair
 

@@ -241,7 +241,7 @@ def test_a_certified_part_with_holes_grows_from_a_point(backwards):
     ],
 )
 def test_a_certified_blend_says_which_rings_meet_where_no_way_round_is_found(monkeypatch, seed, what):
-    monkeypatch.setattr("starskel.shapes.certified.MARGINS", ())  # so that none is looked for
+    monkeypatch.setattr("starskel.shapes.certified.blend.MARGINS", ())  # so that none is looked for
     with pytest.raises(StarskelError, match=what + r" at t = 0\.\d+, and no way round was found"):
         starskel.blend(holed_pair(seed), method="certified")
 

@@ -1,8 +1,8 @@
 """Bridges that bend: drawn through a region, straightened, and bent alike in source and target.
 
 Which bridges there are is given, and from where to where they lead. However the holes lie, they can be drawn
-(`starskel.shapes.ground`). Then each is straightened over its own points, as far as the others leave room, to
-as few links as can be. Where it has fewer bends than in the other shape, it is bent a little more often.
+(`triangulated_region`). Then each is straightened over its own points, as far as the others leave room, to as
+few links as can be. Where it has fewer bends than in the other shape, it is bent a little more often.
 """
 
 from collections.abc import Sequence
@@ -11,8 +11,8 @@ import numpy as np
 
 from starskel.arrays import Complex, Flags, Floats
 from starskel.polar import as_points
-from starskel.shapes.ground import Ground
-from starskel.shapes.region import Region, meeting
+from starskel.shapes.holes.region import Region, meeting
+from starskel.shapes.holes.triangulated_region import TriangulatedRegion
 from starskel.task import Task
 
 ROUNDS = 3
@@ -49,11 +49,11 @@ def bends_of(regions: Sequence[Region], bridges: Sequence[Bridge], task: Task) -
 
 
 def _drawn(region: Region, bridges: Sequence[Bridge], task: Task) -> list[Complex] | None:
-    ground = Ground(region)
+    triangulated = TriangulatedRegion(region)
     ways = []
     for bridge in bridges:
         task.reach(0)
-        way = ground.draw(*bridge)
+        way = triangulated.draw(*bridge)
         if way is None:
             return None
         ways.append(way)

@@ -6,7 +6,7 @@ from starskel.arrays import Floats, Indices
 from starskel.correspondence import Correspondence
 from starskel.decomposition import decompose
 from starskel.decomposition.pieces import Decomposition
-from starskel.shapes.bridges import chain_of, halves
+from starskel.shapes.holes.bridges import chain_of, halves
 from starskel.task import Task
 
 

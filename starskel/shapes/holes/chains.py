@@ -8,8 +8,8 @@ import numpy as np
 
 from starskel.arrays import Floats, Indices
 from starskel.correspondence import Correspondence
-from starskel.shapes.region import Region, meeting
-from starskel.shapes.routes import Bridge
+from starskel.shapes.holes.region import Region, meeting
+from starskel.shapes.holes.routes import Bridge
 from starskel.task import Task
 
 APART = 0.3

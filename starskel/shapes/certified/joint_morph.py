@@ -21,8 +21,8 @@ from starskel.correspondence import Correspondence
 from starskel.decomposition import decompose_quickly
 from starskel.errors import Cancelled, StarskelError
 from starskel.polar import as_complex, as_points
-from starskel.shapes.bridges import chain_of, halves
-from starskel.shapes.joint_rings import JointRings
+from starskel.shapes.certified.joint_rings import JointRings
+from starskel.shapes.holes.bridges import chain_of, halves
 from starskel.task import Task
 
 MARGINS = (1 / 32, 1 / 8, 1.0)

@@ -15,10 +15,10 @@ import numpy as np
 from starskel.arrays import Floats, Indices
 from starskel.correspondence import Correspondence
 from starskel.errors import StarskelError, told
-from starskel.shapes.chains import Bridges, Search, chains
-from starskel.shapes.reading import RegionReading
-from starskel.shapes.region import Region
-from starskel.shapes.routes import Bridge, bends_of
+from starskel.shapes.holes.chains import Bridges, Search, chains
+from starskel.shapes.holes.reading import RegionReading
+from starskel.shapes.holes.region import Region
+from starskel.shapes.holes.routes import Bridge, bends_of
 from starskel.task import Task
 
 STRAIGHT = Search(60, 40), Search(2000, 400)

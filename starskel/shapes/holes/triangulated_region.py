@@ -13,13 +13,13 @@ import numpy as np
 import shapely
 
 from starskel.arrays import Complex
-from starskel.shapes.region import Region
+from starskel.shapes.holes.region import Region
 
 Place = frozenset[int]
 """A vertex, or the gate between two."""
 
 
-class Ground:
+class TriangulatedRegion:
     """A region cut into triangles, and the ways through it so far.
 
     Parameters

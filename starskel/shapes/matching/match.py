@@ -9,9 +9,9 @@ from starskel.correspondence import Correspondence, PolygonLike
 from starskel.correspondence import match as match_polygons
 from starskel.errors import InvalidMarks, InvalidPolygon, told
 from starskel.shapes.correspondence import ShapeCorrespondence
-from starskel.shapes.given import Given, Marks, Places
-from starskel.shapes.matching import matched_shapes
-from starskel.shapes.pairing import RingLink, checked_pairing, suggest_pairing
+from starskel.shapes.matching.given import Given, Marks, Places
+from starskel.shapes.matching.pairing import RingLink, checked_pairing, suggest_pairing
+from starskel.shapes.matching.parts import matched_shapes
 from starskel.shapes.shape import Shape, ShapeLike
 from starskel.task import ShouldStop, Task
 

@@ -10,8 +10,8 @@ from starskel.arguments import items, mapping, point
 from starskel.correspondence.marks import Mark, as_marks
 from starskel.errors import InvalidMarks, told
 from starskel.polygon import Polygon
-from starskel.shapes.cuts import Partner, cut_between
-from starskel.shapes.pairing import RingLink
+from starskel.shapes.matching.cuts import Partner, cut_between
+from starskel.shapes.matching.pairing import RingLink
 from starskel.shapes.shape import Shape
 
 Place = tuple[float, float]

@@ -17,9 +17,9 @@ from starskel.blending.certified.gaps import narrowed
 from starskel.blending.certified.keys import Chain, Guide, Key, between, chains_between
 from starskel.errors import StarskelError, told
 from starskel.shapes.body import Body
+from starskel.shapes.certified.joint_morph import MARGINS, JointMorphing
+from starskel.shapes.certified.joint_rings import JointRings
 from starskel.shapes.correspondence import ShapeCorrespondence
-from starskel.shapes.joint_morph import MARGINS, JointMorphing
-from starskel.shapes.joint_rings import JointRings
 from starskel.shapes.meta_skeleton import Tree
 from starskel.shapes.shape_blend import ShapeBlend
 from starskel.task import Task

@@ -1,0 +1,1 @@
+"""Regions with holes: bridges that cut them into simple polygons in both shapes alike; their star pieces."""
