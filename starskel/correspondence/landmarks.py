@@ -113,10 +113,10 @@ def _diagonals(ring: Floats) -> Indices:
     if len(crossing_edges(ring)):
         return np.empty((0, 2), dtype=np.intp)
     try:
-        triangles = delaunay(points_of(ring), Rings.of([range(n)])).triangles
+        ground = delaunay(points_of(ring), Rings.of([range(n)]))
     except InvalidPolygon:  # it all but touches itself
         return np.empty((0, 2), dtype=np.intp)
-    sides = np.concatenate([triangles, np.roll(triangles, -1, axis=1)]).reshape(2, -1).T
+    sides = np.stack([ground.starts, ground.ends], axis=1)
     return np.asarray(sides[(sides[:, 0] < sides[:, 1]) & ((sides[:, 1] - sides[:, 0]) % (n - 1) > 1)])
 
 

@@ -151,7 +151,7 @@ def _limits(points: Points, ring: Indices, seen: Visibility) -> tuple[Indices, I
 def _needed_diagonals(ground: Triangulation, price: Price, task: Task) -> list[Cut]:
     """Drop the diagonals of a triangulation that no vertex needs, the dearest first."""
     n = len(ground.rings.rows)
-    a, b = ground.triangles.ravel(), np.roll(ground.triangles, -1, axis=1).ravel()
+    a, b = ground.starts, ground.ends
     inner = (ground.twins >= 0) & (a < b)
     ways = [[1, n - 1] for _ in range(n)]  # steps ahead to the neighbours of each vertex, counter-clockwise
     for u, v in zip(a[inner].tolist(), b[inner].tolist(), strict=True):

@@ -127,7 +127,7 @@ def _places(ground: Triangulation, ends: Indices) -> Places:
     within = np.repeat(np.arange(len(ground.triangles)), len(weights))
     inner = np.flatnonzero(ground.twins > np.arange(len(ground.twins)))
     free = np.einsum("ps,fsx->fpx", weights, ground.vertices[ground.triangles]).reshape(-1, 2)
-    a, b = ground.triangles.ravel(), np.roll(ground.triangles, -1, axis=1).ravel()
+    a, b = ground.starts, ground.ends
     rows = ground.rings.rows
     points = ground.points.with_free(free).with_on_chords(
         rows[a[inner]], rows[b[inner]], np.full(len(inner), 0.5)

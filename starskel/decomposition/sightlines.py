@@ -86,7 +86,7 @@ def _behind(ground: Triangulation, places: Places) -> _Behind:
     begun, end = (np.searchsorted(places.triangle, triangle, side) for side in ("left", "right"))
     edge, home = ranges(begun, end - begun)
     after, last = (edges - edges % 3 + (edges + step) % 3 for step in (1, 2))
-    corner = ground.rings.rows[ground.triangles.ravel()[last]]
+    corner = ground.rings.rows[ground.starts[last]]
     counts = end - begun + 1
     first = np.cumsum(counts) - counts
     row, place = np.empty(counts.sum(), dtype=np.intp), np.full(counts.sum(), -1)

@@ -18,7 +18,6 @@ from itertools import chain
 import numpy as np
 
 from starskel.arrays import Flags, Floats, Indices
-from starskel.cells import cells_of
 from starskel.decomposition.board import Board, handfuls
 from starskel.decomposition.convex import Cut, Price, convex_cuts
 from starskel.decomposition.ladder import by_fan, climb
@@ -28,6 +27,7 @@ from starskel.rings import Rings
 from starskel.task import Task
 from starskel.triangulation import Grounds, Triangulation
 from starskel.visibility import visibility
+from starskel.visibility.cells import cells_of
 
 
 def transfer(board: Board, whole: Piece, task: Task) -> list[Piece]:

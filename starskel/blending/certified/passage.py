@@ -85,8 +85,7 @@ def _chain(points: Points, order: list[int], task: Task) -> list[int]:
 def _through_pocket(points: Points, pocket: Indices, lid: Gate) -> dict[int, Passage]:
     """Give the passages of all edges in a pocket, a ring counter-clockwise whose closing edge is the lid."""
     ground = delaunay(points, Rings.of([pocket]))
-    ends = np.roll(ground.triangles, -1, axis=1).ravel()
-    starts = ground.triangles.ravel()
+    starts, ends = ground.starts, ground.ends
     at_lid = int(np.flatnonzero((starts == len(pocket) - 1) & (ends == 0))[0])
     gates: dict[int, tuple[Gate, ...]] = {at_lid // 3: (lid,)}
     waiting = deque(gates)

@@ -1,11 +1,11 @@
 import numpy as np
 import pytest
 
-from starskel.cells import cells_of
 from starskel.outline import signed_areas
 from starskel.points import points_of
 from starskel.rings import Rings
 from starskel.triangulation import triangulate
+from starskel.visibility.cells import cells_of
 from tests.families import blob, comb, spiral, subdivided, turned, two_opt
 
 RINGS = {

@@ -6,8 +6,6 @@ from starskel.arrays import Indices
 from starskel.errors import InvalidPolygon, told
 from starskel.points import Points
 
-Triangle = tuple[int, int, int]
-
 
 def cut_ears(points: Points, corners: Indices) -> Indices:
     """Triangulate a ring without straight vertices; O(n^2).
@@ -23,7 +21,7 @@ def cut_ears(points: Points, corners: Indices) -> Indices:
         If the ring touches itself.
     """
     left = list(range(len(corners)))
-    ears: list[Triangle] = []
+    ears: list[tuple[int, int, int]] = []
     at = tried = 0
     while len(left) > 2:
         ear = left[at - 1], left[at], left[(at + 1) % len(left)]
@@ -50,7 +48,7 @@ def cut_ears(points: Points, corners: Indices) -> Indices:
     return np.array(ears)
 
 
-def _is_ear(points: Points, corners: Indices, ear: Triangle, left: Indices) -> bool:
+def _is_ear(points: Points, corners: Indices, ear: tuple[int, int, int], left: Indices) -> bool:
     a, b, c = corners[list(ear), None]
     if points.orientation(a, b, c)[0] <= 0:
         return False

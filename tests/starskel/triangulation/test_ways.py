@@ -1,12 +1,11 @@
 import numpy as np
 import pytest
 
-from starskel import triangulation
 from starskel.errors import InvalidPolygon
 from starskel.outline import signed_areas
 from starskel.points import points_of
 from starskel.rings import Rings
-from starskel.triangulation import Triangulation, delaunay, triangulate
+from starskel.triangulation import Triangulation, delaunay, triangulate, ways
 from tests.families import blob, comb, spiral, subdivided, turned, two_opt
 
 RINGS = {
@@ -23,7 +22,7 @@ RINGS = {
     "rounded runs": turned(subdivided(two_opt(10, 3), 4), 0.7),
 }
 
-FINDERS = "_by_earcut", "_by_geos"
+FINDERS = "by_earcut", "by_geos"
 
 
 def whole(ring):
@@ -53,8 +52,8 @@ def wrong(points, rings):
 def test_triangles_tile_the_ring(ring, finder, found, monkeypatch):
     if found:
         result = found(*whole(ring))
-        monkeypatch.setattr(triangulation, finder, lambda points, rings: result)
-    way = triangulate if finder == "_by_earcut" else delaunay
+        monkeypatch.setattr(ways, finder, lambda points, rings: result)
+    way = triangulate if finder == "by_earcut" else delaunay
     ground = way(*whole(ring))
     assert len(ground.triangles) == len(ring) - 2
     assert set(ground.triangles.ravel()) == set(range(len(ring)))
@@ -70,8 +69,8 @@ def test_libraries_are_believed_on_plain_rings(kind, finder, monkeypatch):
     ring = {"blob": blob(200), "spiral": spiral(60), "comb": comb(20), "teeth": teeth_round_the_origin(50)}[
         kind
     ]
-    monkeypatch.setattr(triangulation, "cut_ears", None)  # an error, if called
-    way = triangulate if finder == "_by_earcut" else delaunay
+    monkeypatch.setattr(ways, "cut_ears", None)  # an error, if called
+    way = triangulate if finder == "by_earcut" else delaunay
     assert len(way(*whole(ring)).triangles) == len(ring) - 2
 
 

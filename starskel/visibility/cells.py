@@ -66,7 +66,7 @@ def cells_of(ground: Triangulation) -> Cells:
     at_side[-1] = -1  # sides of the ring, whose twin is -1
     twice = [place, place + size.take(around)]
     corner, others, behind = (np.empty(2 * len(sides), dtype=np.intp) for _ in range(3))
-    corner[twice] = ground.triangles.ravel().take(sides)
+    corner[twice] = ground.starts.take(sides)
     others[twice] = size.take(around) - 1
     behind[twice] = at_side.take(ground.twins.take(sides))
     return Cells(corner, others, behind, place, 2 * begun.take(cell))
@@ -74,10 +74,10 @@ def cells_of(ground: Triangulation) -> Cells:
 
 def _stays(ground: Triangulation) -> Flags:
     """Tell which half-edges stay: the ring, and the diagonals that split reflex corners."""
-    twins, corners = ground.twins, ground.triangles.ravel()
+    twins, corners = ground.twins, ground.starts
     opens, splits = _spokes(ground)
     stays = _in_twos(ground, opens, splits)
-    stays |= splits & splits.take(twins) & (twins >= 0)  # they split the corners at both their ends
+    stays |= splits & splits.take(twins)  # they split the corners at both their ends
     stays[twins[stays]] = True
     left = (splits & _without(stays & splits, corners)).nonzero()[0]
     one = np.empty(len(ground.rings.rows), dtype=np.intp)
@@ -89,7 +89,7 @@ def _stays(ground: Triangulation) -> Flags:
 
 def _spokes(ground: Triangulation) -> tuple[Flags, Flags]:
     """Tell which diagonals at reflex corners leave a convex angle before them, and which also one behind."""
-    rings, twins, corners = ground.rings, ground.twins, ground.triangles.ravel()
+    rings, twins, corners = ground.rings, ground.twins, ground.starts
     before, after = rings.rows.take(rings.preceding), rings.rows.take(rings.following)
     reflex = ground.points.orientation(before, rings.rows, after) < 0
     spokes = ((twins >= 0) & reflex.take(corners)).nonzero()[0]
@@ -103,7 +103,7 @@ def _spokes(ground: Triangulation) -> tuple[Flags, Flags]:
 
 def _in_twos(ground: Triangulation, opens: Flags, splits: Flags) -> Flags:
     """Choose, where none alone splits a corner, the last with a convex angle before it and the next one."""
-    corners = ground.triangles.ravel()
+    corners = ground.starts
     last = (opens & _without(splits, corners)).nonzero()[0]
     following = ground.twins.take(last - last % 3 + (last + 2) % 3)
     two = ~opens.take(following)
@@ -125,9 +125,7 @@ def _joined(ground: Triangulation, stays: Flags) -> Indices:
     In each triangle one half-edge goes down, from the last corner to the first, and behind it lies the way to
     the ring's closing edge. So cells are trees.
     """
-    starts = ground.triangles.ravel()
-    ends = ground.triangles[:, (1, 2, 0)].ravel()
-    down = (starts > ends).nonzero()[0]
+    down = (ground.starts > ground.ends).nonzero()[0]
     cell = np.where(stays.take(down), np.arange(len(down)), ground.twins.take(down) // 3)
     while True:
         farther = cell.take(cell)
@@ -143,5 +141,5 @@ def _rounds(ground: Triangulation, stays: Flags, cell: Indices) -> tuple[Indices
     """
     sides = stays.nonzero()[0]
     around = cell.take(sides // 3)
-    order = (around * len(ground.rings.rows) + ground.triangles.ravel().take(sides)).argsort()
+    order = (around * len(ground.rings.rows) + ground.starts.take(sides)).argsort()
     return sides.take(order), around.take(order)

@@ -82,7 +82,7 @@ def test_views_that_are_followed_in_small_handfuls_see_the_same(monkeypatch):
         ground = triangulate(ring)
         whole = visibility(ground)
         with monkeypatch.context() as patch:
-            patch.setattr("starskel.visibility.BLOCK", 16)
+            patch.setattr("starskel.visibility.views.BLOCK", 16)
             parts = visibility(ground)
         np.testing.assert_array_equal(whole.sees, parts.sees)
         np.testing.assert_array_equal(whole.diagonal, parts.diagonal)

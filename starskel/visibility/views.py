@@ -1,95 +1,27 @@
-"""Who sees whom: all pairs at once, by views that expand through the convex cells of a triangulation.
+"""Views that expand through the convex cells of a triangulation.
 
 A view looks into a cell through one of its sides, between two vertices that limit it to the right and to the
 left. It sees the corners between its limits, and goes on through the sides between them. The views of many
 viewers advance together, so that the work, which grows with the corners of the cells that are looked into, is
 done in few array operations.
-
-Two relations are kept apart: `sees`, where the closed segment lies in the closed polygon, and `diagonal`,
-where the open segment lies in the open interior. They differ where views graze vertices or run along straight
-edges. Coordinates are rounded, so a segment that passes a vertex by less than `ROUNDING` is no diagonal.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 
-from starskel.arrays import Complex, Flags, Floats, Indices
-from starskel.cells import Cells, cells_of
-from starskel.points import Points, doubtful_area
-from starskel.predicates import ROUNDING
+from starskel.arrays import Flags, Indices
 from starskel.rings import blocks, ranges
-from starskel.task import UNWATCHED, Task
-from starskel.triangulation import Triangulation
+from starskel.task import Task
+from starskel.visibility.cells import Cells
+from starskel.visibility.scene import Scene
 
 BLOCK = 1 << 17
 """Pairs of a viewer and a vertex that are worked on at a time: what fits a processor's cache."""
 
 
 @dataclass(frozen=True, eq=False)
-class Visibility:
-    """Which viewers see which vertices.
-
-    Attributes
-    ----------
-    sees : (k, n) array of bool
-        The closed segment lies in the closed polygon.
-    diagonal : (k, n) array of bool
-        The open segment lies in the open interior, clear of all vertices.
-    """
-
-    sees: Flags
-    diagonal: Flags
-
-
-def visibility(ground: Triangulation, task: Task = UNWATCHED) -> Visibility:
-    """Tell for all pairs of vertices whether they see each other in their ring.
-
-    Raises
-    ------
-    Cancelled
-        If the task is told to stop.
-    ValueError
-        If the triangles have corners inside the ring.
-    """
-    cells = cells_of(ground)
-    scene = _Scene.of(ground, cells, ground.points, ground.rings.rows)
-    own = cells.first
-    seen = _look(scene, _Walks(cells.corner[own], own + 1, cells.others[own]), task)
-    ring = np.arange(len(ground.rings.rows))
-    seen.sees[ring, ring] = True
-    for beside in (ground.rings.preceding, ground.rings.following):  # edges of the ring are no diagonals
-        seen.diagonal[ring, beside] = False
-    return Visibility(seen.sees, seen.diagonal & seen.diagonal.T)
-
-
-def visibility_from(
-    ground: Triangulation, places: Floats, triangles: Indices, task: Task = UNWATCHED
-) -> Visibility:
-    """Tell which vertices of a ring are seen from (k, 2) places, each given with the triangle it lies in.
-
-    From a place that is not strictly inside its triangle nothing is seen.
-
-    Raises
-    ------
-    Cancelled
-        If the task is told to stop.
-    ValueError
-        If the triangles have corners inside the ring.
-    """
-    rows = len(ground.points.coordinates) + np.arange(len(places))
-    points = ground.points.with_free(places)
-    corners = ground.rings.rows[ground.triangles[triangles]]
-    turns = points.orientation(rows[:, None], corners, np.roll(corners, -1, axis=1))
-    viewer = np.flatnonzero((turns > 0).all(axis=1))
-    cells = cells_of(ground)
-    start = cells.of_triangle[triangles[viewer]]
-    walks = _Walks(viewer, start, cells.others[start] + 1)
-    return _look(_Scene.of(ground, cells, points, rows), walks, task)
-
-
-@dataclass(frozen=True, eq=False)
-class _Walks:
+class Walks:
     """Walks of viewers round their own cells: where they start and how many corners they pass.
 
     A viewer on a corner passes all others; one inside a cell passes every corner.
@@ -99,9 +31,9 @@ class _Walks:
     start: Indices
     count: Indices
 
-    def part(self, some: slice) -> "_Walks":
+    def part(self, some: slice) -> "Walks":
         """Give some of the walks."""
-        return _Walks(self.viewer[some], self.start[some], self.count[some])
+        return Walks(self.viewer[some], self.start[some], self.count[some])
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,66 +59,11 @@ class _Views:
         return _Views(self.viewer[some], self.start[some], self.limits[:, some])
 
 
-@dataclass(frozen=True, eq=False)
-class _Scene:
-    """Where the viewers and the ring's vertices are, and the cells between them.
+def look(scene: Scene, walks: Walks, task: Task) -> tuple[Flags, Flags]:
+    """Tell which vertices viewers see in their own cells and behind these, and to which they have diagonals.
 
-    Attributes
-    ----------
-    cells : Cells
-    points : Points
-    ring, rows : (n,) and (k,) arrays of int
-        The rows of the vertices and of the viewers.
-    vertices, viewers : (n,) and (k,) complex arrays
-        Their coordinates.
-    slack : float
-        What two coordinates may be off by rounding, together.
-    doubtful : float
-        Up to which doubled area of a triangle rounding might turn its sign.
+    Both tables have a row for each viewer and a column for each vertex.
     """
-
-    cells: Cells
-    points: Points
-    ring: Indices
-    rows: Indices
-    vertices: Complex
-    viewers: Complex
-    slack: float
-    doubtful: float
-
-    @classmethod
-    def of(cls, ground: Triangulation, cells: Cells, points: Points, rows: Indices) -> "_Scene":
-        places = points.coordinates.view(np.complex128)[:, 0]
-        slack = 2 * ROUNDING * float(np.abs(ground.vertices).max())
-        doubtful = doubtful_area(ground.vertices)
-        return cls(
-            cells, points, ground.rings.rows, rows, places[ground.rings.rows], places[rows], slack, doubtful
-        )
-
-    def pairs(self, viewer: Indices, vertex: Indices) -> Indices:
-        """Give the places of pairs in a table of all viewers and vertices, row by row."""
-        return viewer * len(self.ring) + vertex
-
-    def turns(
-        self, viewer: Indices, first: Indices, second: Indices, doubled: Floats
-    ) -> tuple[Floats, Flags]:
-        """Tell how viewers turn to look from one vertex to another: left (1), right (-1) or not (0), exactly.
-
-        Tell, too, whether the line to either vertex passes the other by no more than rounding. Doubled are
-        the areas of the triangles that the three form, rounded.
-        """
-        at = self.viewers[viewer]
-        reach = self.slack * (np.abs(self.vertices[first] - at) + np.abs(self.vertices[second] - at))
-        signs = np.sign(doubled)
-        close = np.flatnonzero(np.abs(doubled) <= 4 * reach)
-        if len(close):
-            rows = self.rows[viewer[close]], self.ring[first[close]], self.ring[second[close]]
-            signs[close] = self.points.orientation(*rows)
-        return signs, np.abs(doubled) <= reach
-
-
-def _look(scene: _Scene, walks: _Walks, task: Task) -> Visibility:
-    """Tell what viewers see on walks round their own cells, and in the cells behind these."""
     sees = np.zeros((len(scene.rows), len(scene.ring)), dtype=bool)
     waiting, grazed = [], []
     for part in blocks(walks.count, BLOCK):
@@ -204,10 +81,10 @@ def _look(scene: _Scene, walks: _Walks, task: Task) -> Visibility:
     diagonal = sees.copy()
     for pairs in grazed:
         diagonal.ravel()[pairs] = False
-    return Visibility(sees, diagonal)
+    return sees, diagonal
 
 
-def _look_around(scene: _Scene, walks: _Walks, sees: Flags) -> _Views:
+def _look_around(scene: Scene, walks: Walks, sees: Flags) -> _Views:
     """Note the corners on the walks, and give the views through all sides but those that end at a viewer."""
     cells, count = scene.cells, walks.count
     walk, place = ranges(walks.start, count)
@@ -219,7 +96,7 @@ def _look_around(scene: _Scene, walks: _Walks, sees: Flags) -> _Views:
     return _Views(viewer, cells.behind.take(place), cells.corner.take([place, place + 1]))
 
 
-def _behind_ends(scene: _Scene, views: _Views) -> Indices:
+def _behind_ends(scene: Scene, views: _Views) -> Indices:
     """Give the pairs that pass the nearer end of a side, which is seen edge-on."""
     sight = scene.vertices.take(views.limits)
     sight -= scene.viewers.take(views.viewer)
@@ -229,7 +106,7 @@ def _behind_ends(scene: _Scene, views: _Views) -> Indices:
     return scene.pairs(views.viewer.take(along), farther.take(along))
 
 
-def _advance(scene: _Scene, views: _Views, sees: Flags) -> tuple[_Views, Indices]:
+def _advance(scene: Scene, views: _Views, sees: Flags) -> tuple[_Views, Indices]:
     """Note which corners are seen in the cells that views enter; give the views onward, and grazing pairs."""
     cells, steps = scene.cells, _Steps.of(scene.cells, views)
     inside, grazing = _inside(scene, views, steps)
@@ -287,7 +164,7 @@ def _of_next(inside: Flags, last: Indices) -> Flags:
     return following
 
 
-def _inside(scene: _Scene, views: _Views, steps: _Steps) -> tuple[Flags, Indices]:
+def _inside(scene: Scene, views: _Views, steps: _Steps) -> tuple[Flags, Indices]:
     """Tell which steps lead at or left of right limits, at or right of left ones, and which graze either."""
     sight = scene.vertices.take(views.limits)
     sight -= scene.viewers.take(views.viewer)
