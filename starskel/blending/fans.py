@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.arrays import Floats, Indices
-from starskel.decomposition.kernel import star_points, star_vertices
+from starskel.decomposition.kernels.kernel import star_points, star_vertices
 from starskel.decomposition.pieces import Decomposition, edges_of
 from starskel.points import Points, points_of
 from starskel.rings import Rings

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 import numpy as np
 
 from starskel.arrays import Complex, Flags, Floats
-from starskel.decomposition.kernel import are_seen_well_from, star_points, star_vertices
+from starskel.decomposition.kernels.kernel import are_seen_well_from, star_points, star_vertices
 from starskel.decomposition.links import Links, links_of
 from starskel.decomposition.pieces import Around, Piece
 from starskel.points import Points

@@ -19,7 +19,7 @@ MIRROR = np.array([-1.0, 1.0])
 
 
 @dataclass(frozen=True)
-class Reading:
+class PairReading:
     """A way to read a pair of polygons.
 
     Attributes
@@ -60,7 +60,7 @@ class Reading:
         return piece[::-1] if self.mirrored else piece
 
 
-def canonical(pair: Correspondence) -> Reading:
+def canonical(pair: Correspondence) -> PairReading:
     """Give the reading whose vertices are far out first, in the first polygon above all."""
     rings = [pair.source, pair.target]
     radii, doubt = zip(*map(_radii, rings), strict=True)
@@ -69,7 +69,9 @@ def canonical(pair: Correspondence) -> Reading:
         [_scores(2 * radii[swapped] + radii[not swapped], mirrored) for swapped, mirrored in readings]
     )
     ways, starts = np.nonzero(scores >= scores.max() - len(pair) * sum(doubt))
-    best = [Reading(*readings[way], start) for way, start in zip(ways.tolist(), starts.tolist(), strict=True)]
+    best = [
+        PairReading(*readings[way], start) for way, start in zip(ways.tolist(), starts.tolist(), strict=True)
+    ]
     return min(best, key=lambda reading: _beginning(reading, rings)) if len(best) > 1 else best[0]
 
 
@@ -88,7 +90,7 @@ def _scores(radii: Floats, mirrored: bool) -> Floats:
     return scores
 
 
-def _beginning(reading: Reading, rings: list[Floats]) -> list[float]:
+def _beginning(reading: PairReading, rings: list[Floats]) -> list[float]:
     """Give the first edges of both polygons as they are read."""
     rows = reading.rows(len(rings[0]))[:2]
     return [x for ring in reading.ordered(rings) for x in reading.placed(ring[rows]).ravel().tolist()]

@@ -8,16 +8,16 @@ from starskel.arguments import choice, truth
 from starskel.arrays import Floats
 from starskel.correspondence import Correspondence, checked_pair
 from starskel.decomposition.board import Board
-from starskel.decomposition.canonical import Reading, canonical
-from starskel.decomposition.kernel import star_points, star_vertices
+from starskel.decomposition.canonical import PairReading, canonical
+from starskel.decomposition.kernels.kernel import star_points, star_vertices
 from starskel.decomposition.ladder import by_fan, climb
 from starskel.decomposition.minimal import minimal_pieces
 from starskel.decomposition.pieces import Decomposition, Piece
-from starskel.decomposition.reduce import reduce
-from starskel.decomposition.relocate import relocated
+from starskel.decomposition.polishing.reduce import reduce
+from starskel.decomposition.polishing.relocate import relocated
 from starskel.decomposition.rivals import by_rivals
 from starskel.decomposition.thinning import refilled, thinned
-from starskel.decomposition.transfer import transfer
+from starskel.decomposition.transfer.transfer import transfer
 from starskel.errors import NoDecomposition, told
 from starskel.limits import DECOMPOSED_VERTICES, check_size
 from starskel.points import points_of
@@ -157,7 +157,7 @@ def _polished(board: Board, pieces: list[Piece], task: Task) -> list[Piece]:
 
 
 def _finished(
-    pair: Correspondence, board: Board, pieces: list[Piece], reading: Reading, task: Task
+    pair: Correspondence, board: Board, pieces: list[Piece], reading: PairReading, task: Task
 ) -> Decomposition:
     """Count rows from the pair's own, drop the Steiner vertices that no piece uses, and find the origins."""
     n = board.n

@@ -10,9 +10,9 @@ from contextlib import suppress
 from starskel.decomposition.board import Board
 from starskel.decomposition.ladder import by_fan, cheapest, spread
 from starskel.decomposition.pieces import Piece, cost
-from starskel.decomposition.reduce import reduce
+from starskel.decomposition.polishing.reduce import reduce
 from starskel.decomposition.steiner import Fan, Stuck, survey
-from starskel.decomposition.transfer import transfer
+from starskel.decomposition.transfer.transfer import transfer
 from starskel.task import Task
 
 MOST_TRIED = 6

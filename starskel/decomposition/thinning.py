@@ -11,7 +11,7 @@ import numpy as np
 
 from starskel.arrays import Flags
 from starskel.decomposition.board import Board
-from starskel.decomposition.kernel import turns
+from starskel.decomposition.kernels.kernel import turns
 from starskel.decomposition.pieces import Piece
 from starskel.rings import Rings
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from starskel.arrays import Floats, Indices
 from starskel.correspondence import Correspondence
-from starskel.decomposition.canonical import Reading, canonical
+from starskel.decomposition.canonical import PairReading, canonical
 
 _DIGITS = 9
 """Distances that agree to so many digits count as equal."""
@@ -23,7 +23,7 @@ class RegionReading:
 
     Attributes
     ----------
-    outline : Reading
+    outline : PairReading
         How the outlines are read, and whether regions are exchanged and mirrored.
     rows : (n,) array of int
         All rows in the order in which they are read.
@@ -31,7 +31,7 @@ class RegionReading:
         At which of these rings begin.
     """
 
-    outline: Reading
+    outline: PairReading
     rows: Indices
     starts: tuple[int, ...]
 

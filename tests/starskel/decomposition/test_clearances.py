@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 import shapely
 
-from starskel.decomposition.clearances import (
+from starskel.decomposition.transfer.clearances import (
     are_diagonals,
     place_clearances,
     reflex_vertices,

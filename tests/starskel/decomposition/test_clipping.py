@@ -1,6 +1,6 @@
 import numpy as np
 
-from starskel.decomposition.clipping import boxes
+from starskel.decomposition.kernels.clipping import boxes
 
 SQUARE = np.array([0, 2, 2 + 2j, 2j])
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from starskel.decomposition import convex
-from starskel.decomposition.convex import convex_cuts
+from starskel.decomposition.transfer.convex import convex_cuts
 from starskel.points import points_of
 from starskel.rings import Rings
 from starskel.task import UNWATCHED

@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from starskel.decomposition.clipping import boxes
-from starskel.decomposition.half_planes import WIDE, Lines, left_of_all
+from starskel.decomposition.kernels.clipping import boxes
+from starskel.decomposition.kernels.half_planes import WIDE, Lines, left_of_all
 from starskel.errors import Cancelled
 from starskel.rings import Rings
 from starskel.task import Task

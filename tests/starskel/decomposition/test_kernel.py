@@ -1,6 +1,6 @@
 import numpy as np
 
-from starskel.decomposition.kernel import are_seen_well_from, star_points, star_vertices
+from starskel.decomposition.kernels.kernel import are_seen_well_from, star_points, star_vertices
 from starskel.points import points_of
 from starskel.rings import Rings
 from tests.families import comb, subdivided, turned, two_opt

@@ -5,8 +5,8 @@ import pytest
 import shapely
 
 from starskel.crossings import crossing_edges
-from starskel.decomposition.paths import bends_between
-from starskel.decomposition.sightlines import Places, sightlines
+from starskel.decomposition.transfer.paths import bends_between
+from starskel.decomposition.transfer.sightlines import Places, sightlines
 from starskel.points import points_of
 from starskel.rings import Rings
 from starskel.task import UNWATCHED

@@ -2,9 +2,9 @@ import numpy as np
 import pytest
 
 from starskel.decomposition.board import Board
-from starskel.decomposition.kernel import star_points
+from starskel.decomposition.kernels.kernel import star_points
 from starskel.decomposition.ladder import by_fan, climb
-from starskel.decomposition.relocate import relocated
+from starskel.decomposition.polishing.relocate import relocated
 from starskel.errors import Cancelled
 from starskel.outline import edge_lengths, signed_areas
 from starskel.points import points_of

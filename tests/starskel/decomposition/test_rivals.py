@@ -6,10 +6,10 @@ from starskel.decomposition.ladder import by_fan, climb
 from starskel.decomposition.links import links_of
 from starskel.decomposition.minimal import least_stuck_cells
 from starskel.decomposition.pieces import cost, edges_of
-from starskel.decomposition.reduce import reduce
+from starskel.decomposition.polishing.reduce import reduce
 from starskel.decomposition.rivals import LARGE, by_rivals
 from starskel.decomposition.steiner import survey
-from starskel.decomposition.transfer import transfer
+from starskel.decomposition.transfer.transfer import transfer
 from starskel.errors import Cancelled
 from starskel.points import points_of
 from starskel.task import UNWATCHED, Task

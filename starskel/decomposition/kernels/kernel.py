@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from starskel.arrays import Flags, Floats, Indices, Signs
-from starskel.decomposition.half_planes import Lines, left_of_all
+from starskel.decomposition.kernels.half_planes import Lines, left_of_all
 from starskel.points import Points
 from starskel.predicates import NEAR
 from starskel.rings import Rings, ranges

@@ -15,14 +15,14 @@ import shapely
 
 from starskel.arrays import Flags, Floats, Indices
 from starskel.crossings import crossing_edges, meeting_places
-from starskel.decomposition.clearances import (
+from starskel.decomposition.transfer.clearances import (
     are_diagonals,
     place_clearances,
     reflex_vertices,
     rounding,
     segment_clearances,
 )
-from starskel.decomposition.sightlines import Places, sightlines
+from starskel.decomposition.transfer.sightlines import Places, sightlines
 from starskel.points import Points
 from starskel.rings import Rings
 from starskel.task import Task

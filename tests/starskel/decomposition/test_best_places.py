@@ -2,9 +2,9 @@ import numpy as np
 import pytest
 
 from starskel.decomposition.board import Board
-from starskel.decomposition.kernel import star_points
+from starskel.decomposition.kernels.kernel import star_points
 from starskel.decomposition.ladder import by_fan, climb
-from starskel.decomposition.tries import kernels_of_chains, tried
+from starskel.decomposition.polishing.best_places import best_places, kernels_of_chains
 from starskel.points import points_of
 from starskel.rings import Rings
 from starskel.task import UNWATCHED, Task
@@ -26,16 +26,16 @@ def test_the_middles_and_gains_are_those_of_the_pieces_with_the_vertex_there():
     board = Board(points_of(SQUARE), points_of(SQUARE))
     (centre,) = board.place(np.array([(0.3, 0.4)]), np.array([(1.2, 0.9)]))
     near = [(0, 1, centre), (1, 2, 3, centre), (3, 0, centre)]
-    tries = tried(board, {centre: near}, 0.4, UNWATCHED)
+    best = best_places(board, {centre: near}, 0.4, UNWATCHED)
     for side in (0, 1):
         stayed, worth = kernels(board, side, near)
-        np.testing.assert_allclose(tries.stayed[side], stayed)
+        np.testing.assert_allclose(best.stayed[side], stayed)
         moved = Board(board.sides[0], board.sides[1])
-        (placed,) = moved.place(*(tries.places[[side]][:, 0] for _ in range(2)))
+        (placed,) = moved.place(*(best.places[[side]][:, 0] for _ in range(2)))
         middles, better = kernels(moved, side, [(0, 1, placed), (1, 2, 3, placed), (3, 0, placed)])
-        np.testing.assert_allclose(tries.moved[side], middles)
-        assert tries.gains[side, 0] == pytest.approx(min(better) / min(worth))
-    assert tries.gains.max() > 1.5
+        np.testing.assert_allclose(best.moved[side], middles)
+        assert best.gains[side, 0] == pytest.approx(min(better) / min(worth))
+    assert best.gains.max() > 1.5
 
 
 def test_vertices_tried_a_few_at_a_time_fare_as_all_at_once(monkeypatch):
@@ -43,10 +43,10 @@ def test_vertices_tried_a_few_at_a_time_fare_as_all_at_once(monkeypatch):
     board = Board(points_of(ring), points_of(two_opt(80, 1001)))
     (pieces,) = climb(board, [tuple(range(80))], by_fan, UNWATCHED)
     around = {v: [p for p in pieces if v in p] for v in range(80, len(board)) if any(v in p for p in pieces)}
-    together = tried(board, around, 0.25, UNWATCHED)
-    monkeypatch.setattr("starskel.decomposition.tries.AT_ONCE", 40)
+    together = best_places(board, around, 0.25, UNWATCHED)
+    monkeypatch.setattr("starskel.decomposition.polishing.best_places.AT_ONCE", 40)
     polls: list[None] = []
-    apart = tried(board, around, 0.25, Task(should_stop=lambda: bool(polls.append(None))))
+    apart = best_places(board, around, 0.25, Task(should_stop=lambda: bool(polls.append(None))))
     assert len(around) > 5
     assert len(polls) > sum(map(len, around.values())) * 3 // 40
     for name in ("places", "gains", "stayed", "moved"):

@@ -1,7 +1,7 @@
 """Fewer Steiner vertices and fewer pieces: vertices collapse into neighbours, pieces merge, all stays right.
 
 Both moves keep the edges cancelling in pairs, so the pieces go on tiling both polygons as long as each of
-them is simple and counter-clockwise in both (see verify.py).
+them is simple and counter-clockwise in both (see `starskel.decomposition.verify`).
 """
 
 from collections.abc import Sequence
@@ -9,9 +9,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from starskel.decomposition.board import AT_ONCE, Board
-from starskel.decomposition.collapse import collapses
 from starskel.decomposition.pieces import Piece
-from starskel.decomposition.tiling import Tiling
+from starskel.decomposition.polishing.collapse import collapses
+from starskel.decomposition.polishing.tiling import Tiling
 from starskel.rings import blocks
 from starskel.task import Task
 

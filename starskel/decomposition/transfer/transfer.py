@@ -19,10 +19,10 @@ import numpy as np
 
 from starskel.arrays import Flags, Floats, Indices
 from starskel.decomposition.board import Board, handfuls
-from starskel.decomposition.convex import Cut, Price, convex_cuts
 from starskel.decomposition.ladder import by_fan, climb
-from starskel.decomposition.paths import MANY, bends_between
 from starskel.decomposition.pieces import Piece
+from starskel.decomposition.transfer.convex import Cut, Price, convex_cuts
+from starskel.decomposition.transfer.paths import MANY, bends_between
 from starskel.rings import Rings
 from starskel.task import Task
 from starskel.triangulation import Grounds, Triangulation

@@ -1,4 +1,4 @@
-"""Places tried for Steiner vertices: what they make of the kernels round them.
+"""The best places for Steiner vertices near to where they stand, by the kernels of the pieces round them.
 
 The kernel of a piece is measured against the piece: its area over the square of the piece's perimeter.
 """
@@ -9,8 +9,8 @@ import numpy as np
 
 from starskel.arrays import Complex, Floats, Indices
 from starskel.decomposition.board import AT_ONCE, Board
-from starskel.decomposition.clipping import Convex, boxes
-from starskel.decomposition.half_planes import Lines, left_of_all
+from starskel.decomposition.kernels.clipping import Convex, boxes
+from starskel.decomposition.kernels.half_planes import Lines, left_of_all
 from starskel.decomposition.pieces import Piece, chain_after
 from starskel.rings import Rings, blocks
 from starskel.task import Task
@@ -20,7 +20,7 @@ WAYS = 8
 
 
 @dataclass(frozen=True, eq=False)
-class Tries:
+class BestPlaces:
     """What comes of the best place for each of k vertices, on each side, if all others stay.
 
     Attributes
@@ -38,16 +38,16 @@ class Tries:
     moved: Complex
 
 
-def tried(board: Board, around: dict[int, list[Piece]], stride: float, task: Task) -> Tries:
+def best_places(board: Board, around: dict[int, list[Piece]], stride: float, task: Task) -> BestPlaces:
     """Try places round all vertices, as many at once as one waits for when it is told to stop."""
     stars = list(around.items())
     sizes = np.array([sum(map(len, near)) for _, near in stars])
-    found = [_tried(board, dict(stars[part]), stride, task) for part in blocks(sizes, AT_ONCE)]
-    every = zip(*((tries.places, tries.gains, tries.stayed, tries.moved) for tries in found), strict=True)
-    return Tries(*(np.concatenate(parts, axis=1) for parts in every))
+    found = [_best_places(board, dict(stars[part]), stride, task) for part in blocks(sizes, AT_ONCE)]
+    every = zip(*((best.places, best.gains, best.stayed, best.moved) for best in found), strict=True)
+    return BestPlaces(*(np.concatenate(parts, axis=1) for parts in every))
 
 
-def _tried(board: Board, around: dict[int, list[Piece]], stride: float, task: Task) -> Tries:
+def _best_places(board: Board, around: dict[int, list[Piece]], stride: float, task: Task) -> BestPlaces:
     task.reach(0)
     chains = Rings.of([chain_after(piece, vertex) for vertex, near in around.items() for piece in near])
     counts = np.array([len(near) for near in around.values()])
@@ -63,7 +63,7 @@ def _tried(board: Board, around: dict[int, list[Piece]], stride: float, task: Ta
         gains = np.take_along_axis(least, best, axis=2) / least[..., :1]
     moved = np.take_along_axis(middles, best[:, owner], axis=2)
     chosen = np.take_along_axis(places, best, axis=2).view(np.float64)
-    return Tries(chosen, gains[..., 0], middles[..., 0], moved[..., 0])
+    return BestPlaces(chosen, gains[..., 0], middles[..., 0], moved[..., 0])
 
 
 def _ways(spokes: Complex, chains: Rings, counts: Indices, stride: float) -> Complex:

@@ -11,7 +11,7 @@ import numpy as np
 from starskel.arrays import Complex, Floats
 from starskel.decomposition.board import Board
 from starskel.decomposition.pieces import Piece
-from starskel.decomposition.tries import tried
+from starskel.decomposition.polishing.best_places import best_places
 from starskel.task import Task
 
 STRIDES = (0.4, 0.25, 0.15, 0.1, 0.06)
@@ -43,14 +43,14 @@ def _moved(board: Board, pieces: list[Piece], stride: float, task: Task) -> list
     around = _around(board, pieces, task)
     if not around:
         return pieces
-    tries = tried(board, around, stride, task)
+    best = best_places(board, around, stride, task)
     names = {vertex: vertex for vertex in around}
     middles: list[dict[Piece, complex]] = []
     for side in (0, 1):
-        moves = _apart(around, tries.places[side], tries.gains[side])
+        moves = _apart(around, best.places[side], best.gains[side])
         rows = _placed_again(board, {names[vertex]: place for vertex, place in moves.items()}, side)
         names = {vertex: rows.get(name, name) for vertex, name in names.items()}
-        middles.append(_middles(around, moves, tries.stayed[side], tries.moved[side]))
+        middles.append(_middles(around, moves, best.stayed[side], best.moved[side]))
     return _proven(board, pieces, names, middles, task)
 
 

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.arrays import Complex, Flags, Floats, Indices
-from starskel.decomposition.clipping import Convex
+from starskel.decomposition.kernels.clipping import Convex
 from starskel.predicates import NEAR
 from starskel.rings import Rings
 from starskel.task import UNWATCHED, Task

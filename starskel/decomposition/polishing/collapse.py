@@ -11,7 +11,7 @@ import numpy as np
 
 from starskel.arrays import Flags, Indices
 from starskel.decomposition.board import Board
-from starskel.decomposition.half_planes import Lines, left_of_all
+from starskel.decomposition.kernels.half_planes import Lines, left_of_all
 from starskel.decomposition.pieces import Around, Piece, chain_after, from_least
 from starskel.rings import Rings, ranges
 from starskel.task import Task
