@@ -3,7 +3,7 @@ from itertools import combinations
 import numpy as np
 import pytest
 
-from starskel.decomposition import convex
+from starskel.decomposition.transfer import convex
 from starskel.decomposition.transfer.convex import convex_cuts
 from starskel.points import points_of
 from starskel.rings import Rings
