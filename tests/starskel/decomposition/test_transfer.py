@@ -2,9 +2,10 @@ import numpy as np
 import pytest
 
 from starskel.correspondence import Correspondence
-from starskel.decomposition import Decomposition, decompose, transfer
+from starskel.decomposition import Decomposition, decompose
 from starskel.decomposition.board import Board
 from starskel.decomposition.pieces import cost
+from starskel.decomposition.transfer import transfer
 from starskel.decomposition.verify import faults
 from starskel.errors import Cancelled, NoDecomposition, StarskelError
 from starskel.points import points_of
