@@ -1,4 +1,4 @@
-"""Ways to blend: one module a method, one protocol."""
+"""Ways to blend: one module a method, one protocol; `meshes` has the triangles that they move."""
 
 METHODS = ("vertex", "edge-angle", "star-skeleton", "stitched", "rigid", "certified")
 """The methods by name, the simplest first."""

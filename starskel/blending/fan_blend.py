@@ -6,10 +6,10 @@ from collections.abc import Callable
 import numpy as np
 
 from starskel.arrays import Complex, Floats, read_only
-from starskel.blending.fans import Fans, fans_of
-from starskel.blending.frame_mesh import FrameMesh
 from starskel.blending.frames import placed, with_exact_ends
-from starskel.blending.improvement import with_better_hubs
+from starskel.blending.meshes.fans import Fans, fans_of
+from starskel.blending.meshes.frame_mesh import FrameMesh
+from starskel.blending.meshes.improvement import with_better_hubs
 from starskel.blending.pieces import PieceBlend
 from starskel.decomposition.pieces import Decomposition
 from starskel.outline import precedes

@@ -14,11 +14,11 @@ from scipy import sparse
 from scipy.sparse.linalg import splu
 
 from starskel.arrays import Floats
-from starskel.blending.fans import fans_of
-from starskel.blending.frame_mesh import FrameMesh, MeshBlend
 from starskel.blending.frames import Blend
-from starskel.blending.improvement import with_better_hubs
-from starskel.blending.mean_values import mean_values
+from starskel.blending.meshes.fans import fans_of
+from starskel.blending.meshes.frame_mesh import FrameMesh, MeshBlend
+from starskel.blending.meshes.improvement import with_better_hubs
+from starskel.blending.meshes.mean_values import mean_values
 from starskel.blending.pieces import PieceBlend
 from starskel.decomposition import decompose
 from starskel.decomposition.pieces import Decomposition

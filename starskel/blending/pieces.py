@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from starskel.arrays import Floats
-from starskel.blending.frame_mesh import FrameMesh
 from starskel.blending.frames import Blend, checked_times
+from starskel.blending.meshes.frame_mesh import FrameMesh
 from starskel.decomposition.pieces import Decomposition
 from starskel.skeleton import Skeleton
 

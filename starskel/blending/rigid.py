@@ -1,9 +1,9 @@
 """As-rigid-as-possible blending (Alexa, Cohen-Or and Levin 2000) on the fans of the star pieces."""
 
 from starskel.blending.fan_blend import FanBlend, Motion
-from starskel.blending.fans import Fans
-from starskel.blending.improvement import with_better_edges
-from starskel.blending.mesh import mesh_of
+from starskel.blending.meshes.fans import Fans
+from starskel.blending.meshes.improvement import with_better_edges
+from starskel.blending.meshes.mesh import mesh_of
 from starskel.blending.rigid_triangles import RigidTriangles
 from starskel.task import Task
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from starskel.arrays import Complex, Floats, Indices
 from starskel.blending.laplacian import Factored, factor
-from starskel.blending.mesh import Mesh
+from starskel.blending.meshes.mesh import Mesh
 from starskel.polar import as_complex, as_points
 from starskel.predicates import ROUNDING
 

@@ -3,9 +3,9 @@
 import numpy as np
 
 from starskel.arrays import Complex, Floats, Indices, read_only
-from starskel.blending.fans import origin_fans
-from starskel.blending.frame_mesh import FrameMesh
 from starskel.blending.frames import checked_times, with_exact_ends
+from starskel.blending.meshes.fans import origin_fans
+from starskel.blending.meshes.frame_mesh import FrameMesh
 from starskel.blending.pieces import PieceBlend
 from starskel.decomposition.pieces import Decomposition
 from starskel.polar import as_complex, as_points

@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 
 from starskel.arrays import Complex, Flags, Floats
-from starskel.blending.fans import Fans
-from starskel.blending.improvement import with_better_edges
-from starskel.blending.mesh import Mesh, mesh_of, triangle_areas
+from starskel.blending.meshes.fans import Fans
+from starskel.blending.meshes.improvement import with_better_edges
+from starskel.blending.meshes.mesh import Mesh, mesh_of, triangle_areas
 from starskel.blending.stitch import Graph, Stitch, edge_weights, graph_of
 from starskel.outline import regions_cross
 from starskel.polar import as_points

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.arrays import Complex, Floats, Indices
-from starskel.blending.distortion import Shapes
 from starskel.blending.laplacian import Factored, factor
-from starskel.blending.mesh import Mesh, triangle_areas
+from starskel.blending.meshes.distortion import Shapes
+from starskel.blending.meshes.mesh import Mesh, triangle_areas
 from starskel.polar import as_complex, as_points
 
 SHORTEST_EDGE = 1e-3

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from copy import copy
 
 from starskel.blending.fan_blend import FanBlend, Motion
-from starskel.blending.fans import Fans
+from starskel.blending.meshes.fans import Fans
 from starskel.blending.stiffening import Graphs, better, plainest
 from starskel.decomposition.pieces import Decomposition
 from starskel.task import UNWATCHED, Task

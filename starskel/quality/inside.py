@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.arrays import Complex, Floats
-from starskel.blending.distortion import Shapes
-from starskel.blending.fans import origin_fans
-from starskel.blending.mesh import triangle_areas
+from starskel.blending.meshes.distortion import Shapes
+from starskel.blending.meshes.fans import origin_fans
+from starskel.blending.meshes.mesh import triangle_areas
 from starskel.decomposition.pieces import Decomposition
 from starskel.polar import as_complex
 

@@ -3,15 +3,15 @@
 from enum import StrEnum
 from itertools import pairwise
 
-from starskel.blending.certified.energy import Field
+from starskel.blending.certified.energies.energy import Field
+from starskel.blending.certified.energies.metric import metric_of
+from starskel.blending.certified.energies.room import KEPT, Room
 from starskel.blending.certified.gaps import narrowed
 from starskel.blending.certified.keys import Chain, Guide, Key, extent, filled
-from starskel.blending.certified.metric import metric_of
-from starskel.blending.certified.morph import MARGINS as MORPHED_MARGINS
-from starskel.blending.certified.morph import Morphing
+from starskel.blending.certified.morphing.morph import MARGINS as MORPHED_MARGINS
+from starskel.blending.certified.morphing.morph import Morphing
 from starskel.blending.certified.relaxing import Relaxing
 from starskel.blending.certified.repair import MARGINS, Following
-from starskel.blending.certified.room import KEPT, Room
 from starskel.blending.certified.tracking import Allowance, Pull
 from starskel.certificate import safe
 from starskel.decomposition.pieces import Decomposition

@@ -7,9 +7,9 @@ from itertools import pairwise
 import numpy as np
 
 from starskel.arrays import Floats
-from starskel.blending.certified.energy import Field
+from starskel.blending.certified.energies.energy import Field
+from starskel.blending.certified.energies.room import Room
 from starskel.blending.certified.keys import Chain, Guide, Key, Linked, frames_at
-from starskel.blending.certified.room import Room
 from starskel.blending.certified.tracking import Allowance
 from starskel.certificate import safe
 from starskel.polar import as_complex, as_points

@@ -12,9 +12,9 @@ from functools import partial
 import numpy as np
 
 from starskel.arrays import Floats
-from starskel.blending.certified.energy import Field
+from starskel.blending.certified.energies.energy import Field
+from starskel.blending.certified.energies.room import Room
 from starskel.blending.certified.keys import Linked, farthest
-from starskel.blending.certified.room import Room
 from starskel.blending.certified.tracked_frames import TrackedFrames
 from starskel.certificate import safe
 from starskel.task import Task

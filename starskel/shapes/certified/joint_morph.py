@@ -3,7 +3,7 @@
 Everything is put into a square that stays. Each ring bounds a region, with the rings right inside it for
 holes, and so does the square: all these regions are cut along compatible bridges and into fans. Together they
 are one triangulation of the square, the same before and after, which a convex combination morph never folds
-(`starskel.blending.certified.convex_combination`): so neither outlines nor holes ever touch.
+(`starskel.blending.certified.morphing.convex_combination`): so neither outlines nor holes ever touch.
 """
 
 from collections.abc import Iterator
@@ -12,11 +12,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.arrays import Complex, Floats, Indices
-from starskel.blending.certified.convex_combination import convex_combination_of
 from starskel.blending.certified.keys import Chain, Key, chains_between
+from starskel.blending.certified.morphing.convex_combination import convex_combination_of
+from starskel.blending.certified.morphing.surroundings import (
+    SQUARE,
+    SquareMap,
+    Surroundings,
+    fans_put,
+    joined,
+)
 from starskel.blending.certified.smoothing import retimed
-from starskel.blending.certified.surroundings import SQUARE, SquareMap, Surroundings, fans_put, joined
-from starskel.blending.fans import Fans, fans_of
+from starskel.blending.meshes.fans import Fans, fans_of
 from starskel.correspondence import Correspondence
 from starskel.decomposition import decompose_quickly
 from starskel.errors import Cancelled, StarskelError

@@ -7,12 +7,12 @@ import pytest
 import shapely
 
 from starskel.blending.certified import CertifiedBlend, Way
-from starskel.blending.certified.convex_combination import convex_combination_of
 from starskel.blending.certified.keys import Key, chains_between
-from starskel.blending.certified.passage import passages
+from starskel.blending.certified.morphing.convex_combination import convex_combination_of
+from starskel.blending.certified.morphing.passage import passages
+from starskel.blending.certified.morphing.surroundings import SQUARE, surroundings_of
 from starskel.blending.certified.relaxing import Relaxing
-from starskel.blending.certified.surroundings import SQUARE, surroundings_of
-from starskel.blending.mesh import triangle_areas
+from starskel.blending.meshes.mesh import triangle_areas
 from starskel.blending.stitched import StitchedBlend
 from starskel.blending.vertex import VertexBlend
 from starskel.certificate import first_unsafe, safe

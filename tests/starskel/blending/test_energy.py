@@ -1,11 +1,11 @@
 import numpy as np
 import pytest
 
-from starskel.blending.certified.barrier import reach_of
-from starskel.blending.certified.contacts import Distances
-from starskel.blending.certified.energy import Field
-from starskel.blending.certified.metric import metric_of
-from starskel.blending.certified.room import Room
+from starskel.blending.certified.energies.barrier import reach_of
+from starskel.blending.certified.energies.contacts import Distances
+from starskel.blending.certified.energies.energy import Field
+from starskel.blending.certified.energies.metric import metric_of
+from starskel.blending.certified.energies.room import Room
 from starskel.decomposition import decompose
 from starskel.polar import as_complex
 from starskel.task import UNWATCHED
@@ -61,7 +61,7 @@ def test_a_form_with_inner_points_and_one_without_give_the_same_step(name, monke
     pair = pair_of(name)
     frame, steps = as_complex(pair.source), []
     for most in (0, len(pair)):
-        monkeypatch.setattr("starskel.blending.certified.metric.DENSE", most)
+        monkeypatch.setattr("starskel.blending.certified.energies.metric.DENSE", most)
         energy = energy_of(pair, pair.source, pair.target)
         steps.append(energy._step_by_coordinates(energy.barrier.linear(frame), frame - energy.goal))
     np.testing.assert_allclose(*steps, atol=1e-9 * size_of(pair))

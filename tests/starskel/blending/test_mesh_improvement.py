@@ -3,10 +3,10 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from starskel.blending.distortion import Shapes
-from starskel.blending.fans import fans_of
-from starskel.blending.flips import flipped
-from starskel.blending.hub_places import _derivatives, _free_fans, with_hubs_moved
+from starskel.blending.meshes.distortion import Shapes
+from starskel.blending.meshes.fans import fans_of
+from starskel.blending.meshes.flips import flipped
+from starskel.blending.meshes.hub_places import _derivatives, _free_fans, with_hubs_moved
 from starskel.polar import as_complex
 from starskel.task import Task
 from tests.starskel.blending.cases import CASES, decomposition_of

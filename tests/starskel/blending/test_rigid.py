@@ -3,8 +3,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from starskel.blending.fans import fans_of
-from starskel.blending.mesh import mesh_of, triangle_areas
+from starskel.blending.meshes.fans import fans_of
+from starskel.blending.meshes.mesh import mesh_of, triangle_areas
 from starskel.blending.rigid import RigidBlend
 from starskel.blending.rigid_triangles import RigidTriangles, side_weights, triangle_rotations
 from starskel.correspondence import match

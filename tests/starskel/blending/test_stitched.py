@@ -3,8 +3,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from starskel.blending.fans import Fans, fans_of
-from starskel.blending.mesh import corner_angles, mesh_of, triangle_areas
+from starskel.blending.meshes.fans import Fans, fans_of
+from starskel.blending.meshes.mesh import corner_angles, mesh_of, triangle_areas
 from starskel.blending.stitch import STRAY, Stitch, edge_distortions, edge_weights, graph_of
 from starskel.blending.stitched import StitchedBlend
 from starskel.correspondence import match

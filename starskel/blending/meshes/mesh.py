@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.arrays import Complex, Flags, Floats, Indices
-from starskel.blending.fans import Fans
+from starskel.blending.meshes.fans import Fans
 from starskel.polar import PolarVectors, as_complex
 
 

@@ -8,7 +8,7 @@ from scipy import sparse
 from scipy.sparse.linalg import splu
 
 from starskel.arrays import Complex, Floats, Indices
-from starskel.blending.fans import fans_of
+from starskel.blending.meshes.fans import fans_of
 from starskel.decomposition.pieces import Decomposition
 from starskel.polar import as_complex
 from starskel.task import Task

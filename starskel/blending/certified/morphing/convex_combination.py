@@ -13,8 +13,8 @@ from scipy import sparse
 from scipy.sparse.linalg import splu
 
 from starskel.arrays import Complex, Floats
-from starskel.blending.certified.surroundings import SQUARE, Surroundings
-from starskel.blending.mean_values import mean_values
+from starskel.blending.certified.morphing.surroundings import SQUARE, Surroundings
+from starskel.blending.meshes.mean_values import mean_values
 from starskel.polar import as_points
 from starskel.task import UNWATCHED, Task
 

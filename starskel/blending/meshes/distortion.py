@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.arrays import Complex, Flags, Floats, Indices
-from starskel.blending.mesh import triangle_areas
+from starskel.blending.meshes.mesh import triangle_areas
 
 _LEAST_AREA = 1e-9
 """Triangles under this part of the whole area count as having none."""

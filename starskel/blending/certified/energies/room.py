@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from starskel.arrays import Complex, Floats, Indices
-from starskel.blending.certified.contacts import Distances
+from starskel.blending.certified.energies.contacts import Distances
 from starskel.certificate import meet, near_pairs
 from starskel.clearance import Swept
 from starskel.polar import as_complex

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from starskel.arrays import Complex, Floats, Indices
-from starskel.blending.distortion import Shapes
+from starskel.blending.meshes.distortion import Shapes
 from starskel.polar import as_complex, as_points
 from starskel.predicates import ROUNDING
 from starskel.task import Task

@@ -4,7 +4,7 @@ import numpy as np
 from scipy import sparse
 
 from starskel.arrays import Complex, Indices
-from starskel.blending.mesh import corner_angles
+from starskel.blending.meshes.mesh import corner_angles
 
 _FLATTEST = 1e-6
 """Angles keep so far from 0 and from pi: some triangles have no area, where vertices lie on a line."""

@@ -11,8 +11,8 @@ from typing import NamedTuple
 import numpy as np
 
 from starskel.arrays import Complex, Indices
-from starskel.blending.certified.passage import Passage, passages
-from starskel.blending.fans import Fans, fans_of
+from starskel.blending.certified.morphing.passage import Passage, passages
+from starskel.blending.meshes.fans import Fans, fans_of
 from starskel.correspondence import Correspondence
 from starskel.decomposition import decompose_quickly
 from starskel.decomposition.pieces import Decomposition

@@ -12,8 +12,8 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from starskel.arrays import Complex, Floats, Indices
-from starskel.blending.certified.contacts import Distances, contacts, contacts_within
-from starskel.blending.certified.room import Room
+from starskel.blending.certified.energies.contacts import Distances, contacts, contacts_within
+from starskel.blending.certified.energies.room import Room
 
 LONGEST_REACH = 0.05
 """The largest distance at which pairs push each other apart, as a part of the size."""

@@ -9,10 +9,10 @@ from scipy.sparse import csc_array
 from scipy.sparse.linalg import splu
 
 from starskel.arrays import Complex, Floats
-from starskel.blending.certified.barrier import REACH_SHARE, Barrier, Linear, reach_of
-from starskel.blending.certified.contacts import Distances
-from starskel.blending.certified.metric import Form, Metric
-from starskel.blending.certified.room import Room
+from starskel.blending.certified.energies.barrier import REACH_SHARE, Barrier, Linear, reach_of
+from starskel.blending.certified.energies.contacts import Distances
+from starskel.blending.certified.energies.metric import Form, Metric
+from starskel.blending.certified.energies.room import Room
 from starskel.polar import as_complex, as_points
 from starskel.task import Task
 

@@ -8,16 +8,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.arrays import Floats
-from starskel.blending.certified.convex_combination import convex_combination_of
-from starskel.blending.certified.energy import Field
+from starskel.blending.certified.energies.energy import Field
+from starskel.blending.certified.energies.room import Room
 from starskel.blending.certified.gaps import narrowed
 from starskel.blending.certified.keys import Chain, Guide, Key, chains_between
+from starskel.blending.certified.morphing.convex_combination import convex_combination_of
+from starskel.blending.certified.morphing.surroundings import surroundings_of
 from starskel.blending.certified.relaxing import Relaxing
 from starskel.blending.certified.repair import MARGINS as FOLLOWING_MARGINS
 from starskel.blending.certified.repair import Following
-from starskel.blending.certified.room import Room
 from starskel.blending.certified.smoothing import retimed
-from starskel.blending.certified.surroundings import surroundings_of
 from starskel.blending.certified.tracking import Allowance, Pull
 from starskel.certificate import safe
 from starskel.correspondence import Correspondence

@@ -3,7 +3,7 @@
 import numpy as np
 
 from starskel.arrays import Flags, Floats, Indices
-from starskel.blending.distortion import Shapes
+from starskel.blending.meshes.distortion import Shapes
 from starskel.task import Task
 
 _WORTH = 1e-6

@@ -2,10 +2,10 @@
 
 from dataclasses import replace
 
-from starskel.blending.distortion import Shapes
-from starskel.blending.fans import Fans
-from starskel.blending.flips import flipped
-from starskel.blending.hub_places import with_hubs_moved
+from starskel.blending.meshes.distortion import Shapes
+from starskel.blending.meshes.fans import Fans
+from starskel.blending.meshes.flips import flipped
+from starskel.blending.meshes.hub_places import with_hubs_moved
 from starskel.polar import as_complex, as_points
 from starskel.task import Task
 

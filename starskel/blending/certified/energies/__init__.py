@@ -1,0 +1,1 @@
+"""What moves frames towards those that are wanted, and keeps vertices off edges."""
