@@ -18,7 +18,7 @@ from app.compute import (
     subjects_of,
 )
 from app.model.document import Document
-from app.model.filing import Filed, document_of, project_of
+from app.model.filing import Filed, document_of
 from app.model.history import History
 from app.model.marks import Marks, Side
 from app.model.news import NONE, News, news_of
@@ -28,9 +28,7 @@ from app.tools.refusal import Refusal
 from app.tools.settings import ToolSettings
 from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Tool, ToolContext
 from app.tools.verbs.marks import replace_marks
-from starskel.files.disk import clear_leftovers
 from starskel.files.project import Project
-from starskel.files.project_file import write_project
 
 
 class Session(QObject):
@@ -295,17 +293,9 @@ class Session(QObject):
         """
         self._start(document_of(project, USUAL_METHODS), file, saved=saved)
 
-    def save(self, path: Path) -> None:
-        """Write the project file, whole or not at all.
-
-        Raises
-        ------
-        InvalidFile
-            If it cannot be written.
-        """
-        write_project(path, project_of(self.document, path.stem))
-        clear_leftovers(path.parent)
-        self.file, self.history = Filed.now(path), self.history.saving()
+    def note_saved(self, document: Document, file: Filed) -> None:
+        """Note that a document, as it was a moment ago, is in a file."""
+        self.file, self.history = file, self.history.saving(document)
         self.document_changed.emit()
 
     # how answers and documents come in

@@ -5,8 +5,9 @@ from pathlib import Path
 
 from app.model.document import Document
 from app.model.sequence import Sequence
-from starskel.files.disk import digest_of
+from starskel.files.disk import clear_leftovers, digest_of
 from starskel.files.project import Project
+from starskel.files.project_file import write_project
 
 
 @dataclass(frozen=True)
@@ -34,6 +35,19 @@ class Filed:
         """Whether another program has changed it since; one that has gone can be written anew unasked."""
         now = digest_of(self.path)
         return now is not None and self.digest is not None and now != self.digest
+
+
+def stored(document: Document, path: Path) -> Filed:
+    """Write the project file of a document, whole or not at all, and give it.
+
+    Raises
+    ------
+    InvalidFile
+        If it cannot be written.
+    """
+    write_project(path, project_of(document, path.stem))
+    clear_leftovers(path.parent)
+    return Filed.now(path)
 
 
 def document_of(project: Project, usual_methods: tuple[str, ...]) -> Document:

@@ -80,9 +80,9 @@ class History:
         snapshots = (*self.snapshots[: position + 1], Snapshot(document, name, joins))
         return replace(self, snapshots=snapshots, position=position + 1)
 
-    def saving(self) -> "History":
-        """Note that the document is in its file as it is now."""
-        return replace(self._at_rest(self.document), saved=self.document)
+    def saving(self, saved: Document) -> "History":
+        """Note what of the document is in its file; nothing joins the snapshot that is shown any more."""
+        return replace(self._at_rest(self.document), saved=saved)
 
     def showing(self, step: int, link: int | None = None) -> "History":
         """Show another step of the document, or another link of it.

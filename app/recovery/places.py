@@ -92,6 +92,11 @@ class Kept:
         return isinstance(self.record, Record)
 
 
+def any_records() -> bool:
+    """Tell at once whether there are any records, held or not."""
+    return any(_folder().glob(f"*{ENDING}"))
+
+
 def kept_records() -> tuple[Kept, ...]:
     """Claim all records that no window holds, and give them, the newest first, the unreadable last."""
     clear_leftovers(_folder())

@@ -2451,6 +2451,10 @@
         <translation>{name} lässt sich nicht öffnen</translation>
     </message>
     <message>
+        <source>Saving {name}…</source>
+        <translation>{name} wird gespeichert …</translation>
+    </message>
+    <message>
         <source>Save project</source>
         <translation>Projekt speichern</translation>
     </message>
@@ -3153,6 +3157,10 @@
     <message>
         <source>There are no recovered documents.</source>
         <translation>Es gibt keine geretteten Dokumente.</translation>
+    </message>
+    <message>
+        <source>Looking for unsaved documents…</source>
+        <translation>Nicht gespeicherte Dokumente werden gesucht …</translation>
     </message>
     <message>
         <source>{name} cannot be opened</source>

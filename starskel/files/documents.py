@@ -1,5 +1,6 @@
 """JSON documents: checked while they are read, written so that two of them can be compared line by line."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TypeVar
 
@@ -96,9 +97,23 @@ def _lines(value: object, indent: str) -> str:
     if isinstance(value, dict) and value:
         entries = [f"{_inline(key)}: {_lines(entry, deeper)}" for key, entry in value.items()]
         return _block("{", entries, "}", indent)
+    if isinstance(value, list | tuple) and (rows := _rows(value)) is not None:
+        return _block("[", rows, "]", indent)
     if isinstance(value, list | tuple) and any(isinstance(entry, list | tuple | dict) for entry in value):
         return _block("[", [_lines(entry, deeper) for entry in value], "]", indent)
     return _inline(value)
+
+
+def _rows(value: Sequence[object]) -> list[str] | None:
+    """Give the lines of a list of rows of numbers, the bulk of large documents, all at once; else None."""
+    first = value[0] if value else None
+    if not isinstance(first, list | tuple) or not first or isinstance(first[0], list | tuple | dict | str):
+        return None
+    content = msgspec.json.encode(value)
+    if b'"' in content or b"{" in content or content.count(b"[") != len(value) + 1:
+        return None
+    rows = content[2:-2].replace(b",", b", ").decode().split("], [")
+    return [f"[{row}]" for row in rows] if len(rows) == len(value) else None
 
 
 def _block(opening: str, entries: list[str], closing: str, indent: str) -> str:

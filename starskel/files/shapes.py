@@ -16,7 +16,7 @@ Row = tuple[float, float]
 
 def rows_of(polygon: Polygon) -> list[Row]:
     """Give the vertices as rows for a file."""
-    return [(x, y) for x, y in polygon.vertices.tolist()]
+    return list(map(tuple, polygon.vertices.tolist()))
 
 
 def polygon_of(rows: Sequence[Row], where: str, tally: Tally) -> Polygon:

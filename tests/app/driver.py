@@ -11,7 +11,9 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.model.document import Document
+from app.model.filing import stored
 from app.model.marks import Side
+from app.session import Session
 from app.view.main_window import MainWindow
 from starskel.files.key_shape import KeyShape
 from starskel.files.project import Project
@@ -94,6 +96,10 @@ class Driver:
     def wait_until_read(self) -> None:
         self.wait(lambda: not self.window.importing.reader.busy)
 
+    def save(self, path: Path) -> None:
+        """Save, as the command does after it has asked."""
+        save(self.session, path)
+
     def draw(self, side: Side, places: tuple[tuple[float, float], ...]) -> None:
         """Draw a shape with the drawing tool and close it by Enter."""
         self.key(Qt.Key.Key_D)
@@ -132,6 +138,11 @@ class Driver:
         handle = self.window.windowHandle()
         assert handle is not None
         return handle
+
+
+def save(session: Session, path: Path) -> None:
+    """Write what is open to a file, and note that."""
+    session.note_saved(session.document, stored(session.document, path))
 
 
 def name_file(dialog: QWidget, name: str) -> None:

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QMainWindow
 
 from app.compute.errands import Work
 from app.model.document import Document
-from app.model.filing import Filed
+from app.model.filing import Filed, stored
 from app.session import Session
 from app.view.asking import accepted
 from app.view.files.dialogs import (
@@ -30,6 +30,7 @@ from app.view.files.dialogs import (
 from app.view.files.file_reader import Take
 from app.view.files.importing import Aim, Importing
 from app.view.files.remembered import remember_file
+from app.view.files.waiting import Waiting
 from app.view.painting.display import Display
 from app.view.timeline.player import Player
 from app.view.wording import words
@@ -86,6 +87,11 @@ def _read_document(path: Path, task: Task) -> "Stored | AnyFile":
 def _read_pair(file: AnyFile, chosen: str, _: Task) -> Project:
     pair = file.pair(chosen)
     return Project.of(pair) if isinstance(pair, ShapePair | MultiPair) else pair.project
+
+
+def _stored(document: Document, path: Path, known: Filed | None, _: Task) -> Filed | None:
+    """Write a project file, unless another program has changed what was known of it."""
+    return None if known is not None and known.overtaken else stored(document, path)
 
 
 class Files(QObject):
@@ -222,16 +228,21 @@ class Files(QObject):
         else:
             remember_file(path)
 
-    def _save(self, path: Path) -> bool:
-        file = self._session.file
-        if file is not None and path == file.path and file.overtaken:
-            answer = ask_about_overtaking(self._window, path)
-            if answer is not Answer.SAVE:
-                return answer is Answer.ELSEWHERE and self.save_as()
+    def _save(self, path: Path, *, overwrites: bool = False) -> bool:
+        """Save beside the window; what another program has written meanwhile is overwritten only if asked."""
+        file, document = self._session.file, self._session.document
+        known = file if file is not None and path == file.path and not overwrites else None
+        waiting = Waiting(self.tr("Saving {name}…").format(name=path.name), self._window, stoppable=False)
         try:
-            self._session.save(path)
+            written = waiting.awaited(partial(_stored, document, path, known))
         except StarskelError as error:
             elsewhere = ask_for_another_place(self._window, path, error)
             return elsewhere and self._save_at_place(path.stem, folder_with_room(path.parent))
+        if written is None:
+            answer = ask_about_overtaking(self._window, path)
+            if answer is Answer.SAVE:
+                return self._save(path, overwrites=True)
+            return answer is Answer.ELSEWHERE and self.save_as()
+        self._session.note_saved(document, written)
         remember_file(path)
         return True

@@ -4,13 +4,14 @@ from PySide6.QtCore import QObject, Slot
 from PySide6.QtWidgets import QMainWindow
 
 from app.recovery.keeper import Keeper
-from app.recovery.places import Kept, kept_records
+from app.recovery.places import Kept, any_records, kept_records
 from app.recovery.record import Record
 from app.session import Session
 from app.view.asking import asked
 from app.view.files.dialogs import complain
 from app.view.files.files import Files
 from app.view.files.recovery_dialog import RecoveryDialog
+from app.view.files.waiting import Waiting
 from app.view.wording import words
 from starskel.errors import StarskelError
 
@@ -37,7 +38,8 @@ class Recovering(QObject):
 
     def offer_kept(self) -> bool:
         """Offer the documents that were left behind; False where there are none."""
-        kept = kept_records()
+        waiting = Waiting(self.tr("Looking for unsaved documents…"), self._window, stoppable=False)
+        kept = waiting.awaited(lambda _: kept_records()) if any_records() else ()
         if not kept:
             return False
         dialog = RecoveryDialog(kept, self._window)

@@ -1,18 +1,29 @@
 """Work that takes a while, done beside the window: how far it is, and a way to give it up."""
 
+from typing import Any
+
 from PySide6.QtCore import QEventLoop, Qt, QTimer, Slot
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QProgressBar, QVBoxLayout, QWidget
 
 from app.compute.errands import Errands, Outcome, Work
+from starskel.errors import Cancelled
 
 BLINK = 400
 """Milliseconds of work for which no dialog is shown."""
 
 
 class Waiting(QDialog):
-    """Shows the progress of one errand, once it takes longer than a blink."""
+    """Shows the progress of one errand, once it takes longer than a blink.
 
-    def __init__(self, text: str, parent: QWidget | None = None) -> None:
+    Parameters
+    ----------
+    text : str
+        What is done.
+    stoppable : bool
+        Whether the user may give it up.
+    """
+
+    def __init__(self, text: str, parent: QWidget | None = None, *, stoppable: bool = True) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Please wait"))
         self.setWindowModality(Qt.WindowModality.WindowModal)
@@ -22,17 +33,32 @@ class Waiting(QDialog):
         self._errands.done.connect(self._take)
         self._errands.progressed.connect(self._advance)
         self._bar = QProgressBar()
-        self._bar.setRange(0, 100)
+        self._bar.setRange(0, 0)  # moves to and fro until something is reported
         self._bar.setAccessibleName(self.tr("Progress"))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         buttons.rejected.connect(self.reject)
+        buttons.setVisible(stoppable)
+        self._stoppable = stoppable
         layout = QVBoxLayout(self)
         for widget in (QLabel(text), self._bar, buttons):
             layout.addWidget(widget)
         self.setMinimumWidth(360)
 
-    def wait(self, work: Work) -> Outcome | None:
-        """Do the work, and give what came of it; None where the user gave it up. It can be done once."""
+    def reject(self) -> None:
+        """Give the work up, where that may be done."""
+        if self._stoppable:
+            super().reject()
+
+    def awaited(self, work: Work) -> Any:
+        """Do the work, and give what came of it. It can be done once.
+
+        Raises
+        ------
+        Cancelled
+            If the user gave it up.
+        Exception
+            Whatever the work raised.
+        """
         self._errands.do(work)
         QTimer.singleShot(BLINK, self._loop, self._loop.quit)
         self._loop.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
@@ -40,7 +66,11 @@ class Waiting(QDialog):
             self.exec()
         self._errands.close()
         self.deleteLater()
-        return self._outcome
+        if self._outcome is None:
+            raise Cancelled
+        if self._outcome.error is not None:
+            raise self._outcome.error
+        return self._outcome.value
 
     @Slot(object)
     def _take(self, outcome: Outcome) -> None:
@@ -50,4 +80,5 @@ class Waiting(QDialog):
 
     @Slot(float)
     def _advance(self, fraction: float) -> None:
+        self._bar.setRange(0, 100)
         self._bar.setValue(int(100 * fraction))

@@ -38,7 +38,7 @@ def test_steps_of_one_gesture_are_undone_at_once() -> None:
 
 def test_what_is_looked_at_or_saved_in_between_ends_a_row_of_joined_steps() -> None:
     history = History.of(Document(name="start")).push(Document(name="a"), "Nudge", joins="vertex 0")
-    for between in (history.showing(0, 1), history.saving()):
+    for between in (history.showing(0, 1), history.saving(history.document)):
         later = between.push(Document(name="b"), "Nudge", joins="vertex 0")
         assert later.undo().document.name == "a"
         assert later.undo().undo().document.name == "start"

@@ -19,6 +19,7 @@ from app.session import Session
 from starskel import Polygon, StarskelError
 from starskel.files.examples import example
 from starskel.files.project_file import read_project
+from tests.app.driver import save
 
 SQUARE = Polygon([(0, 0), (10, 0), (10, 10), (0, 10)])
 
@@ -53,7 +54,7 @@ def test_a_change_is_kept_soon_and_done_away_with_when_it_is_saved(
     drawn(session)
     qtbot.waitUntil(lambda: len(files()) == 1)
     assert read_record(files()[0]).project.shapes[0].rings == (SQUARE,)
-    session.save(tmp_path / "a.json")
+    save(session, tmp_path / "a.json")
     qtbot.waitUntil(lambda: not files())
 
 
@@ -83,7 +84,7 @@ def test_a_record_tells_its_file_and_opens_as_a_project(
 ) -> None:
     path = tmp_path / "a.json"
     session.show_project(example("arm"))
-    session.save(path)
+    save(session, path)
     drawn(session)
     assert keeper.keep_now()
     record = read_record(files()[0])
@@ -161,7 +162,7 @@ def test_what_a_killed_program_had_begun_to_write_is_cleared(session: Session, t
         for name in (old, ".mine.partial"):
             os.utime(folder / name, (0, 0))
     kept_records()
-    session.save(tmp_path / "a.json")
+    save(session, tmp_path / "a.json")
     left = {young, ".mine.partial"}
     assert {path.name for path in recovery.iterdir()} == left
     assert {path.name for path in tmp_path.iterdir() if path.is_file()} == left | {"a.json"}

@@ -10,6 +10,7 @@ from random import Random
 
 from PySide6.QtCore import QCoreApplication, QTimer
 
+from app.model.filing import stored
 from app.recovery.keeper import Keeper
 from app.session import Session
 from starskel import Polygon
@@ -36,7 +37,8 @@ class Victim:
         self._session.store(document, "Draw")
         self._say("edit")
         if self._random.random() < self._share:
-            self._session.save(self._path)
+            document = self._session.document
+            self._session.note_saved(document, stored(document, self._path))
             self._say("save")
         QTimer.singleShot(self._random.choice([0, 10, 50, 200]), self.act)
 

@@ -148,7 +148,7 @@ def test_everything_is_saved(face: Driver, tmp_path) -> None:  # type: ignore[no
     go_to(face, 0, NAME)
     face.key(Qt.Key.Key_B, CONTROL | SHIFT)
     face.window.partnering.rename(0, "face")
-    face.session.save(tmp_path / "face.json")
+    face.save(tmp_path / "face.json")
     saved = face.document
     face.session.new()
     face.open(tmp_path / "face.json")

@@ -273,7 +273,7 @@ def test_a_shape_is_drawn_over_it_and_both_are_saved(pictured: Driver, tmp_path:
     pictured.draw("source", SQUARE)
     kept = picture(pictured)
     path = tmp_path / "over.json"
-    pictured.session.save(path)
+    pictured.save(path)
     pictured.session.new()
     pictured.open(path)
     assert picture(pictured) == kept

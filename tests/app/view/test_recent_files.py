@@ -12,7 +12,7 @@ def test_opened_and_saved_files_are_offered_again_the_last_one_first(driver: Dri
     paths = [square_project(tmp_path / f"{name}.json") for name in ("one", "two & a half", "three")]
     for path in paths:
         driver.open(path)
-    driver.session.save(paths[0])
+    driver.save(paths[0])
     driver.window.files.save()
     menu = driver.window.recent
     menu.aboutToShow.emit()

@@ -4,17 +4,21 @@ import json
 import shutil
 from dataclasses import replace
 from pathlib import Path
+from threading import Event
 
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QWidget
 
-from app.model.filing import Filed
+from app.model.document import Document
+from app.model.filing import Filed, stored
 from app.recovery.places import Place, state_folder
 from app.recovery.record import Record, write_record
+from app.view.files import files
 from app.view.files.dialogs import folder_with_room
 from app.view.files.recovery_dialog import RecoveryDialog
+from app.view.files.waiting import Waiting
 from app.view.start import begin
 from starskel.files.examples import example
 from starskel.files.file_name import file_name_of
@@ -34,7 +38,7 @@ def click(dialog: QWidget, text: str) -> None:
 def saved(driver: Driver, path: Path) -> Path:
     """Draw and save."""
     driver.draw("source", SQUARE)
-    driver.session.save(path)
+    driver.save(path)
     return path
 
 
@@ -134,6 +138,33 @@ def test_a_folder_that_has_gone_is_named_and_another_place_is_offered(
     assert not driver.session.unsaved
 
 
+def test_a_slow_disk_lets_the_window_go_on_and_what_it_wrote_is_what_counts_as_saved(
+    driver: Driver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = saved(driver, tmp_path / "a.json")
+    changed(driver)
+    written, may_end = driver.document, Event()
+
+    def slowly(document: Document, place: Path) -> Filed:
+        may_end.wait()
+        return stored(document, place)
+
+    def go_on(dialog: QWidget) -> None:
+        assert isinstance(dialog, Waiting)
+        QTest.keyClick(dialog, Qt.Key.Key_Escape)
+        assert dialog.isVisible(), "what is written cannot be unwritten"
+        driver.session.store(driver.document.compare(("vertex",)), "Choose methods")
+        may_end.set()
+
+    monkeypatch.setattr(files, "stored", slowly)
+    driver.in_dialog(go_on)
+    driver.key(Qt.Key.Key_S, CONTROL)
+    assert read_project(path).shapes == written.sequence.shapes
+    assert driver.session.unsaved
+    driver.session.undo()
+    assert not driver.session.unsaved
+
+
 @pytest.mark.parametrize("answer", ["Overwrite", "Save Elsewhere…", "Cancel"])
 def test_a_file_changed_by_another_program_is_not_overwritten_unasked(
     driver: Driver, tmp_path: Path, answer: str
@@ -200,7 +231,7 @@ def test_a_start_after_a_crash_offers_each_document_and_opens_one_as_unsaved(
     assert driver.session.path == tmp_path / "mine.json"
     assert driver.session.unsaved
     assert driver.document.source == example("arm").shapes[0].rings[0]
-    driver.session.save(tmp_path / "mine.json")
+    driver.save(tmp_path / "mine.json")
     driver.wait(lambda: not places[0].path.exists())
     assert places[1].path.exists()
 

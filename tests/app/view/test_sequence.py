@@ -253,7 +253,7 @@ def test_going_frame_by_frame_leads_into_the_next_step(film: Driver) -> None:
 
 def test_the_whole_sequence_is_saved(film: Driver, tmp_path) -> None:  # type: ignore[no-untyped-def]
     film.key(Qt.Key.Key_D, CONTROL | SHIFT)
-    film.session.save(tmp_path / "film.json")
+    film.save(tmp_path / "film.json")
     assert not film.session.unsaved
     click(film, strip(film).places.step(0).center())
     assert not film.session.unsaved

@@ -112,7 +112,7 @@ def test_root_and_turns_are_undone_redone_and_saved(arm: Driver, tmp_path: Path)
     arm.session.redo()
     arm.session.redo()
     assert arm.session.unsaved
-    arm.session.save(tmp_path / "arm.json")
+    arm.save(tmp_path / "arm.json")
     assert not arm.session.unsaved
     arm.session.new()
     arm.open(tmp_path / "arm.json")
@@ -135,7 +135,7 @@ def test_each_part_has_a_root_of_its_own(driver: Driver, tmp_path: Path) -> None
     assert structure_of(driver).blend.skeleton.root == piece
     assert driver.session.blends.results["stitched"].result is stitched
     assert [link.root is not None for link in driver.document.way.links] == [True, False, False]
-    driver.session.save(tmp_path / "b.json")
+    driver.save(tmp_path / "b.json")
     words = ["render", str(tmp_path / "b.json"), "--method", "star-skeleton", "--at", "0.5"]
     assert main([*words, "-o", str(tmp_path / "frame.json")]) == 0
     written = json.loads((tmp_path / "frame.json").read_text())

@@ -14,7 +14,7 @@ from app.view.files.export.dialog import ExportDialog
 from app.view.files.waiting import Waiting
 from app.view.painting.display import Display
 from app.view.timeline.player import Player
-from starskel.errors import StarskelError
+from starskel.errors import Cancelled, StarskelError
 from starskel.export.write import paths_of
 from starskel.files.part_looks import part_looks
 from starskel.files.project import letter
@@ -72,15 +72,13 @@ class Exporting:
     def _written(self, path: Path, work: Work) -> Path | None:
         """Write a file beside the window, and give where; None where that failed or was given up."""
         waiting = Waiting(translate("Files", "Writing {name}…").format(name=path.name), self._window)
-        outcome = waiting.wait(work)
-        if outcome is None:
+        try:
+            waiting.awaited(work)
+        except Cancelled:
             return None
-        if isinstance(outcome.error, StarskelError):
-            heading = translate("Files", "{name} was not written").format(name=path.name)
-            complain(self._window, heading, outcome.error)
+        except StarskelError as error:
+            complain(self._window, translate("Files", "{name} was not written").format(name=path.name), error)
             return None
-        if outcome.error is not None:
-            raise outcome.error
         return path
 
 
