@@ -14,7 +14,7 @@ from app.view.beginning import Beginning
 from app.view.canvas.canvas import Canvas
 from app.view.canvas.edits import Edits
 from app.view.canvas.mark_line import MarkLine
-from app.view.canvas.options import SWITCHES, OptionsBar
+from app.view.canvas.options.bar import SWITCHES, OptionsBar
 from app.view.commands.actions import Actions
 from app.view.commands.menus import fill_menu_bar, layers_menu, methods_menu, tool_bar, tool_palette
 from app.view.commands.table import LANGUAGES, PALETTE

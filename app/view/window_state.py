@@ -5,7 +5,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QMainWindow
 
-from app.view.canvas.options import SWITCHES
+from app.view.canvas.options.bar import SWITCHES
 from app.view.commands.actions import Actions
 from app.view.files.remembered import (
     remember_last_file,

@@ -2921,13 +2921,6 @@
     </message>
 </context>
 <context>
-    <name>Numbers</name>
-    <message>
-        <source>By how much to turn the selection about its middle</source>
-        <translation>Um wie viel die Auswahl um ihre Mitte gedreht wird</translation>
-    </message>
-</context>
-<context>
     <name>OptionsBar</name>
     <message>
         <source>Options</source>
@@ -3114,7 +3107,7 @@
     </message>
 </context>
 <context>
-    <name>Placing</name>
+    <name>PlacementPage</name>
     <message>
         <source>X</source>
         <translation>X</translation>
@@ -3271,6 +3264,13 @@
     <message>
         <source>the new mark {label}</source>
         <translation>die neue Marke {label}</translation>
+    </message>
+</context>
+<context>
+    <name>SelectionPage</name>
+    <message>
+        <source>By how much to turn the selection about its middle</source>
+        <translation>Um wie viel die Auswahl um ihre Mitte gedreht wird</translation>
     </message>
 </context>
 <context>

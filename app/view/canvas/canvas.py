@@ -21,8 +21,8 @@ from app.model.marks import Side
 from app.model.placing import corners_of
 from app.session import Session
 from app.tools.tool import PICK, Key, Pointer
-from app.view.canvas.paint_context import PaintContext
-from app.view.canvas.painter import paint_canvas
+from app.view.canvas.painters.paint_context import PaintContext
+from app.view.canvas.painters.painter import paint_canvas
 from app.view.painting.camera import Camera
 from app.view.painting.display import Display
 from app.view.painting.drawing import painting

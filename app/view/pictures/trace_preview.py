@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QWidget
 
 from app.model.marks import Side
 from app.model.placing import corners_of
-from app.view.canvas.backdrop import paint_backdrop
 from app.view.canvas.canvas import NOTCH
+from app.view.canvas.painters.backdrop import paint_backdrop
 from app.view.painting.camera import Camera
 from app.view.painting.drawing import faded, painting, pen, polygon_of
 from app.view.painting.theme import theme_of

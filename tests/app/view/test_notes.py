@@ -4,7 +4,7 @@ import shapely
 from PySide6.QtCore import QPointF, QRectF
 
 from app.tools.toolbox import TOOLS
-from app.view.canvas.notes import NOTICE_MARGIN, KeptClear, how_to_draw, notice_box
+from app.view.canvas.painters.notes import NOTICE_MARGIN, KeptClear, how_to_draw, notice_box
 from tests.app.driver import Driver
 from tests.families import subdivided
 

@@ -5,7 +5,7 @@ from PySide6.QtGui import QColor
 
 from app.model.marks import end
 from app.model.point import as_point
-from app.view.canvas.paint_context import PaintContext
+from app.view.canvas.painters.paint_context import PaintContext
 from app.view.painting.drawing import pen
 from app.view.painting.frame_layers import paint_way
 from app.view.painting.pins import Pin, outward, paint_pins

@@ -7,8 +7,8 @@ from PySide6.QtGui import QColor
 
 from app.model.clipping import chosen_parts
 from app.model.parts import stacked
-from app.view.canvas.gesture import square
-from app.view.canvas.paint_context import PaintContext
+from app.view.canvas.painters.gesture import square
+from app.view.canvas.painters.paint_context import PaintContext
 from app.view.painting.drawing import faded, pen, point_of, polygon_of
 from app.view.painting.parts import paint_region, regions
 from starskel.files.key_shape import Part

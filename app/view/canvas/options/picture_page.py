@@ -10,7 +10,7 @@ from app.model.marks import Side
 from app.model.point import Point
 from app.session import Session
 from app.tools.verbs.picture import centre_picture, fade_picture, resize_picture, turn_picture
-from app.view.canvas.numbers import Measured, Placing
+from app.view.canvas.options.placement_page import Measured, PlacementPage
 from app.view.commands.actions import Actions
 from starskel.files.picture import Picture
 
@@ -18,7 +18,7 @@ SMALLEST = 0.01
 """The smallest width and height that can be typed."""
 
 
-class PicturePage(Placing):
+class PicturePage(PlacementPage):
     """Numbers of the picture, how much of it is seen, and buttons for what can be done to it."""
 
     def __init__(self, session: Session, actions: Actions) -> None:

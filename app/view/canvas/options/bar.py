@@ -6,9 +6,9 @@ from PySide6.QtCore import QSize, Qt, Signal, Slot
 from PySide6.QtWidgets import QLabel, QSizePolicy, QStackedWidget, QToolBar
 
 from app.session import Session
-from app.view.canvas.numbers import Numbers
-from app.view.canvas.option_pages import NumberField, Page, TextPage, TolerancePage
-from app.view.canvas.picture_page import PicturePage
+from app.view.canvas.options.pages import NumberField, Page, TextPage, TolerancePage
+from app.view.canvas.options.picture_page import PicturePage
+from app.view.canvas.options.placement_page import SelectionPage
 from app.view.commands.actions import Actions
 from app.view.wording.decimal_field import DecimalField
 
@@ -63,7 +63,7 @@ class OptionsBar(QToolBar):
         session = self._session
         return {
             "": Page(session),
-            "select": Numbers(session),
+            "select": SelectionPage(session),
             "freehand": TolerancePage(session),
             "simplify": TolerancePage(session),
             "refine": Page(session, NumberField(self.tr("Vertices to add"), "added", 1, 500)),

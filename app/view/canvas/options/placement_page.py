@@ -12,7 +12,7 @@ from app.model.point import Point
 from app.session import Session
 from app.tools.tool import Response, ToolContext
 from app.tools.verbs import numbers
-from app.view.canvas.option_pages import Page
+from app.view.canvas.options.pages import Page
 from app.view.wording.decimal_field import DecimalField
 
 
@@ -33,7 +33,7 @@ class Measured:
     degrees: float | None
 
 
-class Placing(Page):
+class PlacementPage(Page):
     """Place, size and angle of something, to be read and to be set."""
 
     def __init__(self, session: Session) -> None:
@@ -127,7 +127,7 @@ class Placing(Page):
         self.show_numbers()
 
 
-class Numbers(Placing):
+class SelectionPage(PlacementPage):
     """The numbers of the selection; it counts as not turned when it is selected, and after other edits."""
 
     def __init__(self, session: Session) -> None:

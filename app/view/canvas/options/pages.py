@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.session import Session
 from app.tools.settings import ToolSettings
-from app.view.canvas.lettering import lettering
+from app.view.canvas.options.lettering import lettering
 from app.view.wording.counts import COUNTS
 from app.view.wording.words import figure
 

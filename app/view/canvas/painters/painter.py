@@ -4,13 +4,19 @@ import numpy as np
 from PySide6.QtGui import QColor, QPainter
 
 from app.model import parts
-from app.view.canvas.backdrop import paint_backdrop
-from app.view.canvas.gesture import GesturePainter
-from app.view.canvas.markings import paint_growth, paint_marks, paint_trace
-from app.view.canvas.notes import how_to_draw, paint_caption, paint_invitation, paint_line, paint_news
-from app.view.canvas.paint_context import PaintContext
-from app.view.canvas.refusal import paint_refusal
-from app.view.canvas.shape import MANY, paint_selection, paint_shape, paint_vertices
+from app.view.canvas.painters.backdrop import paint_backdrop
+from app.view.canvas.painters.gesture import GesturePainter
+from app.view.canvas.painters.markings import paint_growth, paint_marks, paint_trace
+from app.view.canvas.painters.notes import (
+    how_to_draw,
+    paint_caption,
+    paint_invitation,
+    paint_line,
+    paint_news,
+)
+from app.view.canvas.painters.paint_context import PaintContext
+from app.view.canvas.painters.refusal import paint_refusal
+from app.view.canvas.painters.shape import MANY, paint_selection, paint_shape, paint_vertices
 from app.view.painting.display import Layers
 from app.view.painting.drawing import faded, lines_of, pen, point_of
 from app.view.painting.frame_layers import paint_numbers

@@ -4,9 +4,9 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor
 
 from app.model.marks import end, mark_at
-from app.view.canvas.markings import away
-from app.view.canvas.notes import KeptClear, paint_notice
-from app.view.canvas.paint_context import PaintContext
+from app.view.canvas.painters.markings import away
+from app.view.canvas.painters.notes import KeptClear, paint_notice
+from app.view.canvas.painters.paint_context import PaintContext
 from app.view.painting.drawing import pen, point_of
 from app.view.painting.pins import Pin, cross_at, paint_pins
 from app.view.wording import words

@@ -1,0 +1,1 @@
+"""What a canvas shows, painter by painter."""
