@@ -1,6 +1,7 @@
 """What two polygons have in common: pairs that see each other in both, diagonals of both."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -32,6 +33,19 @@ class Links:
     source: Floats
     target: Floats
     rings: Rings
+
+    @cached_property
+    def sizes(self) -> Floats:
+        """The (n,) numbers of vertices of the rings that the vertices belong to."""
+        sizes: Floats = self.rings.counts[self.rings.owner].astype(np.float64)
+        return sizes
+
+    @cached_property
+    def nearest(self) -> Indices:
+        """The (n,) first vertices beyond each to which a diagonal leads, n where none does."""
+        beyond = np.triu(self.diagonal)
+        nearest: Indices = np.where(beyond.any(axis=1), beyond.argmax(axis=1), len(beyond))
+        return nearest
 
     def price(self, i: Indices, j: Indices) -> Floats:
         """Give what diagonals cost: their lengths in both polygons."""
