@@ -18,13 +18,6 @@ from tests.disks import filled, read_only, small_disk
 
 
 @pytest.fixture
-def session(qapp) -> Iterator[Session]:  # type: ignore[no-untyped-def]
-    session = Session()
-    yield session
-    session.close()
-
-
-@pytest.fixture
 def said(session: Session, monkeypatch: pytest.MonkeyPatch) -> Iterator[list[StarskelError | None]]:
     """What is said of keeping the session's document."""
     monkeypatch.setattr(keeping, "DELAY", 50)

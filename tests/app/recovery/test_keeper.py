@@ -25,13 +25,6 @@ SQUARE = Polygon([(0, 0), (10, 0), (10, 10), (0, 10)])
 
 
 @pytest.fixture
-def session(qapp) -> Iterator[Session]:  # type: ignore[no-untyped-def]
-    session = Session()
-    yield session
-    session.close()
-
-
-@pytest.fixture
 def keeper(session: Session, monkeypatch: pytest.MonkeyPatch) -> Iterator[Keeper]:
     monkeypatch.setattr(keeping, "DELAY", 50)
     keeper = Keeper(session)
@@ -41,6 +34,11 @@ def keeper(session: Session, monkeypatch: pytest.MonkeyPatch) -> Iterator[Keeper
 
 def drawn(session: Session, polygon: Polygon = SQUARE) -> None:
     session.store(session.document.draw("source", polygon), "Draw")
+
+
+def block_state_folder() -> None:
+    state_folder().parent.mkdir(parents=True, exist_ok=True)
+    state_folder().write_text("a file where the folder should be")
 
 
 def files() -> list[Path]:
@@ -110,8 +108,7 @@ def test_what_a_window_holds_is_not_offered_to_others(session: Session, keeper: 
 def test_where_nothing_can_be_kept_it_is_said_once_and_taken_back(
     session: Session, keeper: Keeper, qtbot: QtBot
 ) -> None:
-    state_folder().parent.mkdir(parents=True, exist_ok=True)
-    state_folder().write_text("a file where the folder should be")
+    block_state_folder()
     said: list[StarskelError | None] = []
     keeper.failed.connect(said.append)
     for side in (5, 6, 7):
@@ -128,8 +125,7 @@ def test_where_nothing_can_be_kept_it_is_said_once_and_taken_back(
 def test_what_could_not_be_kept_is_kept_as_soon_as_it_can_be(
     session: Session, keeper: Keeper, qtbot: QtBot
 ) -> None:
-    state_folder().parent.mkdir(parents=True, exist_ok=True)
-    state_folder().write_text("a file where the folder should be")
+    block_state_folder()
     drawn(session)
     with qtbot.waitSignal(keeper.failed):
         pass
@@ -141,8 +137,7 @@ def test_what_could_not_be_kept_is_kept_as_soon_as_it_can_be(
 def test_nothing_more_is_tried_when_the_document_is_given_up(
     session: Session, keeper: Keeper, qtbot: QtBot
 ) -> None:
-    state_folder().parent.mkdir(parents=True, exist_ok=True)
-    state_folder().write_text("a file where the folder should be")
+    block_state_folder()
     drawn(session)
     with qtbot.waitSignal(keeper.failed):
         pass

@@ -1,5 +1,7 @@
 """Commands found by their names, and the shortcuts that lead to them."""
 
+from collections.abc import Callable
+
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
@@ -42,6 +44,12 @@ def test_every_word_is_looked_for() -> None:
     assert matches("anything", "")
 
 
+def in_shortcuts(driver: Driver, change: Callable[[QWidget], None]) -> None:
+    """Open the dialog that changes shortcuts, and do something in it."""
+    driver.in_dialog(change)
+    driver.window.actions_table["shortcuts"].trigger()
+
+
 def assign(dialog: QWidget, command: str, keys: str) -> None:
     assert isinstance(dialog, ShortcutsDialog)
     (item,) = dialog.list.findItems(command, Qt.MatchFlag.MatchExactly)
@@ -50,13 +58,16 @@ def assign(dialog: QWidget, command: str, keys: str) -> None:
     QTest.mouseClick(dialog.assign, LEFT)
 
 
-def test_a_shortcut_is_changed_works_at_once_and_is_kept(driver: Driver) -> None:
+def assigning(command: str, keys: str) -> Callable[[QWidget], None]:
     def change(dialog: QWidget) -> None:
-        assign(dialog, "Star Pieces", "Ctrl+J")
+        assign(dialog, command, keys)
         dialog.close()
 
-    driver.in_dialog(change)
-    driver.window.actions_table["shortcuts"].trigger()
+    return change
+
+
+def test_a_shortcut_is_changed_works_at_once_and_is_kept(driver: Driver) -> None:
+    in_shortcuts(driver, assigning("Star Pieces", "Ctrl+J"))
     driver.key(Qt.Key.Key_J, CONTROL)
     assert driver.window.display.layers.pieces
     driver.key(Qt.Key.Key_1, CONTROL)
@@ -74,8 +85,7 @@ def test_a_shortcut_that_is_taken_changes_hands_after_a_warning(driver: Driver) 
         assign(dialog, "Star Pieces", "Ctrl+2")
         dialog.close()
 
-    driver.in_dialog(change)
-    driver.window.actions_table["shortcuts"].trigger()
+    in_shortcuts(driver, change)
     driver.key(Qt.Key.Key_2, CONTROL)
     assert driver.window.display.layers.pieces
     assert not driver.window.display.layers.skeleton
@@ -83,12 +93,7 @@ def test_a_shortcut_that_is_taken_changes_hands_after_a_warning(driver: Driver) 
 
 
 def test_a_command_with_two_shortcuts_loses_only_the_one_that_is_taken(driver: Driver) -> None:
-    def change(dialog: QWidget) -> None:
-        assign(dialog, "Star Pieces", "Ctrl+Y")
-        dialog.close()
-
-    driver.in_dialog(change)
-    driver.window.actions_table["shortcuts"].trigger()
+    in_shortcuts(driver, assigning("Star Pieces", "Ctrl+Y"))
     assert driver.window.actions_table["redo"].shortcuts() == [QKeySequence("Ctrl+Shift+Z")]
     apply_shortcuts(driver.window.actions_table.all)
     assert driver.window.actions_table["redo"].shortcuts() == [QKeySequence("Ctrl+Shift+Z")]
@@ -102,7 +107,6 @@ def test_the_usual_shortcuts_come_back(driver: Driver) -> None:
         QTest.mouseClick(usual, LEFT)
         dialog.close()
 
-    driver.in_dialog(change)
-    driver.window.actions_table["shortcuts"].trigger()
+    in_shortcuts(driver, change)
     assert changed_shortcuts() == {}
     assert driver.window.actions_table["pieces"].shortcut() == QKeySequence("Ctrl+1")

@@ -93,15 +93,7 @@ def test_a_long_export_shows_how_far_it_is_and_can_be_given_up(driver: Driver, t
         driver.in_dialog(give_up)
         name_file(dialog, path.name)
 
-    def choose(dialog: QWidget) -> None:
-        assert isinstance(dialog, ExportDialog)
-        layouts = dialog.findChildren(QComboBox)[0]
-        layouts.setCurrentIndex(layouts.findData("morph"))
-        driver.in_dialog(name)
-        dialog.accept()
-
-    driver.in_dialog(choose)
-    driver.key(Qt.Key.Key_E, CONTROL)
+    _export(driver, "morph", name)
     assert not path.exists()
     assert not driver.window.statusBar().currentMessage().startswith("Exported")
 
@@ -117,15 +109,7 @@ def test_numbered_files_are_not_overwritten_unasked(driver: Driver, tmp_path: Pa
             driver.in_dialog(answer)
             _name(dialog, tmp_path / "walk.svg")
 
-        def choose(dialog: QWidget) -> None:
-            assert isinstance(dialog, ExportDialog)
-            layouts = dialog.findChildren(QComboBox)[0]
-            layouts.setCurrentIndex(layouts.findData("pages"))
-            driver.in_dialog(name)
-            dialog.accept()
-
-        driver.in_dialog(choose)
-        driver.key(Qt.Key.Key_E, CONTROL)
+        _export(driver, "pages", name)
 
     driver.draw_both()
     driver.wait_for_blends()
@@ -191,8 +175,7 @@ def test_times_gap_and_tolerance_are_as_wanted(driver: Driver, tmp_path: Path) -
     def write(layout: str, name: str, times: str, gap: float, tolerance: float) -> str:
         def choose(dialog: QWidget) -> None:
             assert isinstance(dialog, ExportDialog)
-            layouts = dialog.findChildren(QComboBox)[0]
-            layouts.setCurrentIndex(layouts.findData(layout))
+            _choose_layout(dialog, layout)
             field = dialog.findChild(TimesField)
             assert field is not None
             save = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save)  # type: ignore[union-attr]
@@ -278,6 +261,24 @@ def test_times_are_read_as_the_language_writes_them(
 
 def _number(dialog: QWidget, name: str) -> QDoubleSpinBox:
     return next(field for field in dialog.findChildren(QDoubleSpinBox) if field.accessibleName() == name)
+
+
+def _choose_layout(dialog: ExportDialog, layout: str) -> None:
+    layouts = dialog.findChildren(QComboBox)[0]
+    layouts.setCurrentIndex(layouts.findData(layout))
+
+
+def _export(driver: Driver, layout: str, name: Callable[[QWidget], None]) -> None:
+    """Choose a layout, and do something in the dialog that asks for the file."""
+
+    def choose(dialog: QWidget) -> None:
+        assert isinstance(dialog, ExportDialog)
+        _choose_layout(dialog, layout)
+        driver.in_dialog(name)
+        dialog.accept()
+
+    driver.in_dialog(choose)
+    driver.key(Qt.Key.Key_E, CONTROL)
 
 
 def _exporting(driver: Driver, row: int, path: Path):  # type: ignore[no-untyped-def]

@@ -10,10 +10,11 @@ from starskel.decomposition.ladder import by_fan, climb
 from starskel.decomposition.overlay import crossings, overlay
 from starskel.decomposition.pieces import Piece, cost, from_least
 from starskel.decomposition.verify import faults
-from starskel.errors import Cancelled, NoDecomposition
+from starskel.errors import NoDecomposition
 from starskel.points import points_of
 from starskel.task import Task
 from tests.families import blob, comb, related, spiral, subdivided, turned, two_opt
+from tests.starskel.decomposition.stopping import check_stops
 
 
 def paired(source, target) -> Correspondence:
@@ -173,16 +174,7 @@ def test_progress_rises_to_one():
 
 @pytest.mark.parametrize("calls", [0, 1, 20])
 def test_should_stop_ends_the_work(calls):
-    asked = 0
-
-    def should_stop() -> bool:
-        nonlocal asked
-        asked += 1
-        return asked > calls
-
-    with pytest.raises(Cancelled):
-        decompose(paired(*PAIRS["random 40"]), should_stop=should_stop)
-    assert asked == calls + 1
+    check_stops(lambda should_stop: decompose(paired(*PAIRS["random 40"]), should_stop=should_stop), calls)
 
 
 class TestProof:

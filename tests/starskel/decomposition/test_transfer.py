@@ -7,10 +7,11 @@ from starskel.decomposition.board import Board
 from starskel.decomposition.pieces import cost
 from starskel.decomposition.transfer import transfer
 from starskel.decomposition.verify import faults
-from starskel.errors import Cancelled, NoDecomposition, StarskelError
+from starskel.errors import NoDecomposition, StarskelError
 from starskel.points import points_of
 from starskel.task import UNWATCHED
 from tests.families import comb, related, spiral, subdivided, turned, two_opt
+from tests.starskel.decomposition.stopping import check_stops
 
 
 def paired(source, target) -> Correspondence:
@@ -137,13 +138,9 @@ def test_progress_rises_to_one():
 
 @pytest.mark.parametrize("calls", [0, 1, 20, 100])
 def test_should_stop_ends_the_work(calls):
-    asked = 0
-
-    def should_stop() -> bool:
-        nonlocal asked
-        asked += 1
-        return asked > calls
-
-    with pytest.raises(Cancelled):
-        decompose(paired(*PAIRS["random 24"]), algorithm="convex", should_stop=should_stop)
-    assert asked == calls + 1
+    check_stops(
+        lambda should_stop: decompose(
+            paired(*PAIRS["random 24"]), algorithm="convex", should_stop=should_stop
+        ),
+        calls,
+    )
