@@ -66,7 +66,7 @@ class KeyShape:
     def __len__(self) -> int:
         return len(self.parts)
 
-    @property
+    @cached_property
     def rings(self) -> tuple[Polygon, ...]:
         """The polygons of the parts."""
         return tuple(part.ring for part in self.parts)

@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QPainter
 
-from app.view.painting.drawing import faded, pen, polygon_of
+from app.view.painting.drawing import faded, pen, polygon_of, ring_of
 from app.view.painting.theme import Theme
 from starskel.arrays import Floats
 
@@ -43,7 +43,7 @@ def paint_ghosts(painter: QPainter, theme: Theme, samples: Floats) -> None:
     painter.setBrush(Qt.BrushStyle.NoBrush)
     for share in np.linspace(0, 1, GHOSTS).tolist():
         painter.setPen(pen(faded(theme.between(share), 0.55), 1.0))
-        painter.drawPolygon(polygon_of(samples[round(share * (len(samples) - 1))]))
+        painter.drawPolygon(ring_of(samples[round(share * (len(samples) - 1))]))
 
 
 def paint_numbers(painter: QPainter, theme: Theme, ring: Floats, numbers: Sequence[str]) -> None:

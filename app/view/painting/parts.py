@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath
 
-from app.view.painting.drawing import polygon_of
+from app.view.painting.drawing import ring_of
 from app.view.painting.theme import Theme, mixed
 from starskel.arrays import Floats
 from starskel.sheet.style import PartLook
@@ -29,11 +29,11 @@ def regions(outer: Sequence[int], shown: Sequence[bool]) -> Iterator[tuple[int, 
 def paint_region(painter: QPainter, outline: Floats, holes: Sequence[Floats] = ()) -> None:
     """Paint an outline with the holes in it; what the outline covers twice is filled all the same."""
     if not holes:
-        painter.drawPolygon(polygon_of(outline), Qt.FillRule.WindingFill)
+        painter.drawPolygon(ring_of(outline), Qt.FillRule.WindingFill)
         return
     path = QPainterPath()
     path.setFillRule(Qt.FillRule.WindingFill)
     for ring in (outline, *(hole[::-1] for hole in holes)):
-        path.addPolygon(polygon_of(ring))
+        path.addPolygon(ring_of(ring))
         path.closeSubpath()
     painter.drawPath(path)

@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QPainter
 from app.compute import Result
 from app.view.painting.camera import Camera
 from app.view.painting.display import Layers
-from app.view.painting.drawing import faded, pen, point_of, polygon_of
+from app.view.painting.drawing import faded, pen, point_of, ring_of
 from app.view.painting.frame_layers import paint_numbers, paint_way
 from app.view.painting.parts import colour_of, paint_region, regions
 from app.view.painting.pins import cross_at
@@ -98,7 +98,7 @@ class FramePainter:
         self._painter.setBrush(Qt.BrushStyle.NoBrush)
         # one pixel wide; wider, a smooth line takes ten times as long, each frame
         self._painter.setPen(pen(colour, 0.0))
-        self._painter.drawPolygon(polygon_of(self._camera.to_screen(ring)))
+        self._painter.drawPolygon(ring_of(self._camera.to_screen(ring)))
 
     def _paint_crossings(self, ring: Floats) -> None:
         """Mark where a ring crosses itself, once for places that would fall on each other."""

@@ -11,7 +11,7 @@ from app.tools.handles import TURN, handle_places
 from app.tools.picture import picture_handles
 from app.tools.tool import Catch, Overlay
 from app.view.painting.camera import Camera
-from app.view.painting.drawing import faded, pen, point_of, polygon_of
+from app.view.painting.drawing import faded, pen, point_of, polygon_of, ring_of
 from app.view.painting.theme import Theme
 from app.view.wording import words
 from starskel.arrays import Floats
@@ -53,11 +53,11 @@ class GesturePainter:
     def _paint_figure(self, ring: Floats, beside: tuple[Floats, ...]) -> None:
         self._painter.setPen(pen(self._colour, 1.5))
         self._painter.setBrush(faded(self._colour, 0.22))
-        self._painter.drawPolygon(polygon_of(self._camera.to_screen(ring)), Qt.FillRule.WindingFill)
+        self._painter.drawPolygon(ring_of(self._camera.to_screen(ring)), Qt.FillRule.WindingFill)
         self._painter.setPen(pen(faded(self._colour, 0.6), 1.0, Qt.PenStyle.DashLine))
         self._painter.setBrush(Qt.BrushStyle.NoBrush)
         for other in beside:
-            self._painter.drawPolygon(polygon_of(self._camera.to_screen(other)))
+            self._painter.drawPolygon(ring_of(self._camera.to_screen(other)))
 
     def _paint_trail(self, trail: Floats) -> None:
         screen = self._camera.to_screen(trail)
@@ -70,7 +70,7 @@ class GesturePainter:
         screen = self._camera.to_screen(np.array(overlay.path))
         self._painter.setPen(Qt.PenStyle.NoPen)
         self._painter.setBrush(faded(self._colour, 0.15))
-        self._painter.drawPolygon(polygon_of(screen))
+        self._painter.drawPolygon(ring_of(screen))
         self._painter.setPen(pen(self._colour, 2.0))
         self._painter.drawPolyline(polygon_of(screen[:-1]))
         self._painter.setPen(pen(self._colour, 1.5, Qt.PenStyle.DashLine))

@@ -9,7 +9,7 @@ from app.model.clipping import chosen_parts
 from app.model.parts import stacked
 from app.view.canvas.painters.gesture import square
 from app.view.canvas.painters.paint_context import PaintContext
-from app.view.painting.drawing import faded, pen, point_of, polygon_of
+from app.view.painting.drawing import faded, pen, point_of, ring_of
 from app.view.painting.parts import paint_region, regions
 from starskel.files.key_shape import Part
 
@@ -29,7 +29,7 @@ def paint_shape(context: PaintContext) -> None:
         width = 1.0 if context.crowded else 1.5  # wider, 2,000 smooth edges take a hundred times as long
         context.painter.setPen(pen(faded(context.colour, 0.35 if replaced else 1.0), width))
         context.painter.setBrush(faded(context.colour, (0.07 if replaced else 0.22) if alone else 0.0))
-        context.painter.drawPolygon(polygon_of(context.screen), Qt.FillRule.WindingFill)
+        context.painter.drawPolygon(ring_of(context.screen), Qt.FillRule.WindingFill)
 
 
 def _paint_parts(context: PaintContext, parts: Sequence[Part], worked_on: int | None) -> None:
@@ -55,7 +55,7 @@ def _paint_parts(context: PaintContext, parts: Sequence[Part], worked_on: int | 
             context.painter.setPen(pen(faded(colour, 0.7), 1.0))
             if number in chosen:
                 context.painter.setPen(pen(context.theme.accent, 2.5))
-            context.painter.drawPolygon(polygon_of(ring))
+            context.painter.drawPolygon(ring_of(ring))
 
 
 def paint_vertices(context: PaintContext) -> None:
