@@ -4,6 +4,7 @@ import re
 
 import pytest
 from PySide6.QtCore import Qt, QUrl
+from PySide6.QtWidgets import QMenu, QToolButton
 
 from app.view.manual import CONTENTS, FOLDER, Manual, page_names
 from tests.app.driver import Driver
@@ -30,6 +31,27 @@ def test_every_link_shows_its_page(manual: Manual) -> None:
 def test_every_picture_of_a_page_is_there(name: str) -> None:
     for picture in re.findall(r"!\[[^]]*\]\(([^)]+)\)", (FOLDER / name).read_text("utf-8")):
         assert (FOLDER / picture).stat().st_size < 60_000
+
+
+KEYS = re.compile(r"`((?:Ctrl\+)?[A-Z]|F\d)`")
+README = FOLDER.parents[1] / "README.md"
+NAMES = re.compile(r"(?<!\*)\*([A-Z][A-Za-z ]+)\*(?!\*)")
+
+
+def test_every_key_and_every_command_that_is_named_is_there(driver: Driver) -> None:
+    window = driver.window
+    actions = window.actions_table.all
+    keys = {key.toString() for action in actions for key in action.shortcuts()}
+    names = {action.text().rstrip("…") for action in actions}
+    names |= {menu.title() for menu in window.findChildren(QMenu)}
+    names |= {button.text() for button in window.findChildren(QToolButton)}
+    texts = [path.read_text("utf-8") for path in (README, *(FOLDER / name for name in page_names()))]
+    named = {name for text in texts for name in NAMES.findall(text)}
+    assert len(named) > 5
+    assert named <= {name.replace("&", "") for name in names} | {"Pictures alone"}  # what an export can be
+    pressed = {key for text in texts for key in KEYS.findall(text)}
+    assert len(pressed) > 5
+    assert pressed <= keys | {"Ctrl+C"}  # in a terminal
 
 
 def test_words_are_found_on_other_pages_and_what_is_nowhere_is_told(manual: Manual) -> None:
