@@ -138,7 +138,7 @@ def _looked_up(boxes: Sequence[Floats], others: Sequence[Floats]) -> Iterator[tu
 def seen_ends(
     ring: Complex, vertex: Indices, edge: Indices, following: Indices | None = None
 ) -> tuple[Complex, Complex]:
-    """Give both ends of edges as seen from vertices."""
+    """Give both ends of edges as seen from vertices, as complex numbers."""
     place = ring[vertex]
     end = (edge + 1) % len(ring) if following is None else following[edge]
     return ring[edge] - place, ring[end] - place

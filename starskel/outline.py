@@ -61,7 +61,7 @@ def regions_cross(rows: Floats, starts: tuple[int, ...]) -> Flags:
 
 
 def precedes(first: Floats, second: Floats) -> bool:
-    """Tell which ring comes first in a fixed order: that of fewer vertices, then of smaller coordinates.
+    """Tell whether the first of two (n, 2) rings precedes: that of fewer vertices, then smaller coordinates.
 
     What is computed for a pair in this order is the same, to the bit, whichever of them is called the source.
     """

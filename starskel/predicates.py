@@ -108,7 +108,7 @@ def _sign_of_sum(parts: Floats) -> Signs:
 
 
 def segments_meet(a: Floats, b: Floats, c: Floats, d: Floats) -> Flags:
-    """Tell whether the closed segments ab and cd, whose boxes overlap, have a common point, exactly."""
+    """Tell whether closed segments ab and cd, (..., 2), whose boxes overlap, have a common point, exactly."""
     parted_by_ab = orientation(a, b, c) * orientation(a, b, d) > 0
     parted_by_cd = orientation(c, d, a) * orientation(c, d, b) > 0
     meet: Flags = ~(parted_by_ab | parted_by_cd)
@@ -116,7 +116,7 @@ def segments_meet(a: Floats, b: Floats, c: Floats, d: Floats) -> Flags:
 
 
 def folds_back(a: Floats, b: Floats, c: Floats) -> Flags:
-    """Tell whether the way from a over b to c turns back on itself at b, exactly."""
+    """Tell whether the way from a over b to c, (..., 2), turns back on itself at b, exactly."""
     same_side = (np.sign(a - b) * np.sign(c - b) > 0).any(axis=-1)
     folded: Flags = same_side & (orientation(a, b, c) == 0)
     return folded

@@ -150,7 +150,7 @@ def checked_times(ts: ArrayLike) -> Floats:
 
 
 def placed(frames: Floats, ts: Floats, pair: Correspondence) -> Floats:
-    """Move each frame so that the outline's centre of mass goes straight from the source to the target.
+    """Move (k, m, 2) frames so that the outline's centre of mass goes straight from source to target.
 
     Points behind those of the pair move along.
 
@@ -165,7 +165,7 @@ def placed(frames: Floats, ts: Floats, pair: Correspondence) -> Floats:
 
 
 def row_masses(pair: Correspondence) -> Floats:
-    """Give the mass of each row, together 1: half that of both edges that end there, by their lengths."""
+    """Give the (n,) masses of rows, together 1: half those of both edges that end there, by their lengths."""
     steps = [ring[pair.following] - ring for ring in (pair.source, pair.target)]
     lengths = [np.hypot(step[:, 0], step[:, 1]) for step in steps]
     shares = [length / length.sum() for length in lengths if length.any()]

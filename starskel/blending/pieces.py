@@ -41,7 +41,7 @@ class PieceBlend(Blend):
         return np.concatenate(self._points(checked_times(ts)), axis=1)
 
     def skeleton_at(self, t: float) -> Floats:
-        """Give the points of the skeleton at t: the k star origins, then the k - 1 mid-points."""
+        """Give the (2 k - 1, 2) points of the skeleton at t: k star origins, then k - 1 mid-points."""
         rows, origins = self._points(checked_times([t]))
         return self.skeleton.points(rows[0], origins[0])
 

@@ -75,7 +75,7 @@ class RigidTriangles:
 
 
 def triangle_rotations(mesh: Mesh) -> Floats:
-    """Give the angle of each triangle's rotation, unwrapped over the mesh.
+    """Give the (k,) angles of the triangles' rotations, in radians, unwrapped over the mesh.
 
     That of the polar decomposition; its direction is finite where an area is 0. No edge turns by more than a
     quarter turn more or less than its triangle, so the mean of their rotations tells the whole turns. Where

@@ -41,7 +41,7 @@ class StarSkeletonBlend(PieceBlend):
         )
 
     def skeleton_at(self, t: float) -> Floats:
-        """Give the points of the unfolded tree at t: the k star origins, then the k - 1 mid-points."""
+        """Give the (2 k - 1, 2) points of the unfolded tree at t: k star origins, then k - 1 mid-points."""
         vectors = self._spokes.vectors.at(checked_times([t]))
         origins = self._origins(checked_times([t]), vectors)
         children = list(self.skeleton.order[1:])

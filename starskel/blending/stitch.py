@@ -169,7 +169,7 @@ def _relative_lengths(mesh: Mesh) -> Floats:
 
 
 def edge_weights(mesh: Mesh, on_ring: float, yielding: float) -> Floats:
-    """Give the weights of the edges: 1 / length^2, those of the outline times a factor.
+    """Give the (e,) weights of the edges: 1 / length^2, those of the outline times a factor.
 
     Parts that keep their shape shall do so all the time: an edge inside insists the less the more its
     triangles are distorted from source to target, by that power of the distortion.
@@ -179,7 +179,7 @@ def edge_weights(mesh: Mesh, on_ring: float, yielding: float) -> Floats:
 
 
 def edge_distortions(mesh: Mesh) -> Floats:
-    """Give for each edge the geometric mean of its triangles' distortions, 1 where they keep their shape."""
+    """Give (e,) geometric means of the distortions of edges' triangles, 1 where they keep their shape."""
     shapes = Shapes.of(mesh.source, mesh.target, mesh.triangles)
     least = 2 * np.add(*shapes.areas(mesh.triangles))
     has_area = shapes.have_area(mesh.triangles)

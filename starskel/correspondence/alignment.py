@@ -95,7 +95,7 @@ def align(prices: Prices, task: Task) -> list[tuple[int, int]]:
 
 
 def alignment_prices(prices: Prices, task: Task) -> Floats:
-    """Give the price of the cheapest alignment, for each of the alternatives."""
+    """Give the (...) prices of the cheapest alignments, one for each of the alternatives."""
     return _cheapest(prices, task, keep_moves=False)[0]
 
 

@@ -52,7 +52,7 @@ def merged(rings: tuple[Floats, Floats], matched: Indices) -> Rows:
 
 
 def inserted(ring: Floats, rows: Rows, side: int) -> Floats:
-    """Give the ring with a point for every row: its own vertices, to the bit, and new ones on its edges.
+    """Give an (rows, 2) ring with a point for every row: its own vertices, to the bit, and new ones on edges.
 
     Raises
     ------

@@ -101,7 +101,7 @@ class Landmarks:
 
 
 def points_along(positions: Complex, own: Floats, shares: Floats) -> Complex:
-    """Give the points at some shares of an outline's length, from its vertices and their own shares."""
+    """Give points at (...) shares of an outline's length, from its (k,) vertices and their own shares."""
     closed, ends = np.append(positions, positions[0]), np.append(own, 1.0)
     parts = (np.interp(shares % 1, ends, part) for part in (closed.real, closed.imag))
     return np.asarray(next(parts) + 1j * next(parts))

@@ -59,7 +59,7 @@ class Correspondence(ReadOnlyArrays):
 
     @cached_property
     def following(self) -> Indices:
-        """For each row the one after it on its ring."""
+        """For each row the one after it on its ring, (n,)."""
         rows = np.arange(1, len(self) + 1)
         rows[[*(start - 1 for start in self.starts[1:]), -1]] = self.starts
         return read_only(rows)

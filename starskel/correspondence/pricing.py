@@ -55,7 +55,7 @@ _LEAST_WEIGHT = 0.2
 def prices_from(
     first: Landmarks, second: Landmarks, starts: Starts, pricing: Pricing
 ) -> tuple[Floats, Table]:
-    """Give the prices of matching the starts, and those for all other landmarks in order from there."""
+    """Give the (k,) prices of matching the starts, and those for all other landmarks in order from there."""
     rows, columns = (
         (start[:, None] + np.arange(len(outline))) % len(outline)
         for start, outline in zip(starts, (first, second), strict=True)
@@ -78,13 +78,13 @@ def prices_from(
 
 
 def rotations(first: Landmarks, second: Landmarks, starts: Starts) -> Complex:
-    """Give the rotations that bring the first outline nearest to the second, in least squares."""
+    """Give the (k,) unit numbers that turn the first outline nearest to the second, in least squares."""
     products = np.conj(first.samples[starts[0]]) * second.samples[starts[1]]
     return np.asarray(np.exp(1j * np.angle(products.sum(axis=1))))
 
 
 def likeness(first: Landmarks, second: Landmarks, i: Indices, j: Indices) -> Floats:
-    """Tell how much alike pairs of landmarks bend, from 0 to 1."""
+    """Tell how much alike k pairs of landmarks bend, (k,), from 0 to 1."""
     bends = _angles(first.bends[:, i] - second.bends[:, j]).mean(axis=0)
     turns = _angles(first.turns[i] - second.turns[j])
     return np.asarray((1 - bends / np.pi) * (1 - turns / np.pi))

@@ -48,7 +48,7 @@ class Links:
         return nearest
 
     def price(self, i: Indices, j: Indices) -> Floats:
-        """Give what diagonals cost: their lengths in both polygons."""
+        """Give what diagonals cost, (k,): their lengths in both polygons."""
         lengths = [np.hypot(*(side[i] - side[j]).T) for side in (self.source, self.target)]
         return np.asarray(lengths[0] + lengths[1])
 

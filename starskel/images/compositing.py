@@ -27,10 +27,10 @@ class Rasterizer(Protocol[Image]):
         """Set the pixels of runs, in their order, the second picture counting by a share of 1."""
 
     def colours(self, image: Image, pixels: Indices) -> Colours:
-        """Give the colours of some pixels."""
+        """Give the colours of some pixels, by their numbers row by row."""
 
     def put(self, image: Image, pixels: Indices, colours: Colours) -> None:
-        """Set the colours of some pixels."""
+        """Set the colours of some pixels, by their numbers row by row."""
 
     def premultiplied(self, image: Image) -> NDArray[np.uint8]:
         """Give all pixels in bytes, (p, 4), colours times alpha."""

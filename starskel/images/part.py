@@ -82,7 +82,7 @@ class PicturedPart:
     beside: Indices
 
     def outline_at(self, t: float) -> Floats:
-        """Give the points of the outline."""
+        """Give the (n, 2) points of the outline, in the document."""
         nodes: Floats = self.carrier.nodes_at(t)[self.carrier.edges[:, 0]]
         return nodes
 

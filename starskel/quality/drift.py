@@ -19,7 +19,10 @@ def length_deviations(lengths: Floats, times: Floats) -> Floats:
 
 
 def angle_deviation(rings: Floats, times: Floats) -> float:
-    """Give the mean by which turning angles differ from their linear blend, weighted by adjacent lengths."""
+    """Give the mean by which turning angles of (k, n, 2) rings differ from their linear blend, in radians.
+
+    Angles count by the lengths of the edges beside them.
+    """
     angles, lengths = turning_angles(rings), edge_lengths(rings[[0, -1]])
     differences = np.angle(np.exp(1j * (angles - linear(angles[0], angles[-1], times))))
     adjacent = lengths + np.roll(lengths, 1, axis=1)

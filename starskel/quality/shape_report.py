@@ -102,7 +102,7 @@ class ShapeReport(ReadOnlyArrays):
 
 
 def measure_shapes(blend: ShapeBlend, times: Floats, task: Task) -> ShapeReport:
-    """Measure a blend of shapes at these times."""
+    """Measure a blend of shapes at k times, (k,)."""
     task.reach(0)
     rings = blend.rings(times)
     sizes = np.stack([np.ptp(ring, axis=1).max(axis=1) for ring in rings], axis=1)

@@ -35,7 +35,7 @@ class Placement:
         return (points - self.centre) * self.scale + self.place
 
     def back(self, points: Floats) -> Floats:
-        """Give points on the paper in the user's plane."""
+        """Give (..., 2) points on the paper in the user's plane."""
         return (points - self.place) / self.scale + self.centre
 
 

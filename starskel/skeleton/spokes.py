@@ -86,7 +86,7 @@ class _Layout:
     inner: Indices
 
     def after(self) -> Indices:
-        """Give for each spoke the next one round its origin."""
+        """Give for each spoke the next one round its origin, (m,)."""
         following = np.arange(1, len(self.pieces) + 1)
         following[np.append(self.starts[1:], len(self.pieces)) - 1] = self.starts
         return following

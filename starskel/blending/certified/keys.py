@@ -45,7 +45,7 @@ Chain = list[Key]
 
 
 def is_simple(ring: Floats) -> bool:
-    """Tell whether a ring neither crosses nor touches itself."""
+    """Tell whether an (n, 2) ring neither crosses nor touches itself."""
     return not cross_themselves(ring[None])[0]
 
 
@@ -108,7 +108,7 @@ def _even(ends: tuple[Key, Key], guide: Guide, links: tuple[int, int], task: Tas
 
 
 def frames_at(times: Floats, guide: Guide, n: int, task: Task) -> Floats:
-    """Give a guide's frames of n vertices, not too many at a time."""
+    """Give a guide's (k, n, 2) frames at k times, not too many at a time."""
     parts, step = [], max(1, BATCH // n)
     for k in range(0, len(times), step):
         task.reach(0)

@@ -24,12 +24,12 @@ class TrackedFrames:
 
     @property
     def places(self) -> Floats:
-        """The frame of each moment."""
+        """The frame of each moment, (k, n, 2)."""
         return np.stack([self.frames[at] for at in self.arrivals])
 
     @property
     def ways(self) -> Floats:
-        """How far it is to the frame of each moment, each step the root mean square over the vertices."""
+        """How far it is to each moment's frame, (k,), each step the root mean square over the vertices."""
         steps = np.diff(np.stack(self.frames), axis=0)
         return np.concatenate([[0.0], np.cumsum(np.sqrt((steps**2).mean(axis=(1, 2))))])[self.arrivals]
 

@@ -39,7 +39,7 @@ class Shapes:
         return triangle_areas(self.source[triangles]), triangle_areas(self.target[triangles])
 
     def have_area(self, triangles: Indices) -> Flags:
-        """Tell which triangles have an area in both, and run counter-clockwise."""
+        """Tell which of (k, 3) triangles have an area in both, and run counter-clockwise."""
         first, second = self.areas(triangles)
         return np.asarray((first > _LEAST_AREA) & (second > _LEAST_AREA))
 

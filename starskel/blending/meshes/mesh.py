@@ -49,7 +49,7 @@ class Mesh:
 
     @property
     def lengths(self) -> Floats:
-        """For each edge the mean of its two lengths."""
+        """For each edge the mean of its two lengths, (e,)."""
         return (self.wishes.source_lengths + self.wishes.target_lengths) / 2
 
 

@@ -66,7 +66,7 @@ class Convex:
         return Convex(corners, size)
 
     def measured(self) -> tuple[Complex, Floats]:
-        """Give the centroids and the areas of the cells, 0 for those of which nothing is left."""
+        """Give the (k,) centroids and areas of the cells, 0 for those of which nothing is left."""
         first, last, some = self._ends
         centroids, areas = np.zeros(len(self.size), dtype=np.complex128), np.zeros(len(self.size))
         if len(some):

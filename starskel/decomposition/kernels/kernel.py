@@ -22,7 +22,7 @@ _PAIRS = 1 << 16
 
 
 def star_vertices(sides: Sequence[Points], rings: Rings, task: Task = UNWATCHED) -> Flags:
-    """Tell for each vertex of many simple rings whether it lies in the kernels of its ring, exactly.
+    """Tell for each of m vertices of simple rings, (m,), whether it lies in the kernels of its ring, exactly.
 
     The rings are the same over all sides. A few edges leave few vertices to be held against the others.
     """

@@ -15,7 +15,7 @@ BLOCK = 1 << 16
 
 
 def rounding(points: Points, rings: Rings) -> Floats:
-    """Give for each ring by how much its coordinates may be off: what comes closer may touch it."""
+    """Give (k,) by how much the coordinates of rings may be off: what comes closer may touch them."""
     largest = np.abs(points.coordinates[rings.rows]).max(axis=1)
     slack: Floats = ROUNDING * np.maximum.reduceat(largest, rings.first)
     return slack
@@ -33,7 +33,7 @@ def reflex_vertices(points: Points, rings: Rings, left_out: Indices) -> Rings:
 
 
 def are_diagonals(points: Points, rings: Rings, starts: Indices, ends: Indices, task: Task) -> Flags:
-    """Tell for each ring whether the segment between two of its vertices is a diagonal, clear of others."""
+    """Tell for each of k rings whether the segment between two of its vertices is a clear diagonal."""
     rows = rings.rows
     a, b, u, v = rows[starts], rows[ends], rows, rows[rings.following]
     first, last = a[rings.owner], b[rings.owner]
@@ -60,7 +60,7 @@ def _lead_inside(points: Points, rings: Rings, starts: Indices, towards: Indices
 
 
 def place_clearances(places: Floats, owner: Indices, points: Points, rings: Rings, task: Task) -> Floats:
-    """Give the distances of places from the rings that they lie in."""
+    """Give the distances of (m, 2) places from the rings that they lie in, their owners."""
     at, start = _complex(places), _complex(points.coordinates[rings.rows])
     end = start[rings.following]
     return _least(owner, rings, lambda place, edge: _distance(at[place], start[edge], end[edge]), task)

@@ -54,11 +54,11 @@ class JointRings:
         self._ring_of = np.repeat(np.arange(len(self.starts)), np.diff([*self.starts, firsts[-1]]))
 
     def rows_of(self, ring: int) -> Indices:
-        """Give the rows of a ring."""
+        """Give the rows of a ring, (n,)."""
         return np.flatnonzero(self._ring_of == ring)
 
     def safe(self, before: Floats, after: Floats) -> bool:
-        """Tell whether in the even motion from one frame to another no rings touch; exact."""
+        """Tell whether in the even motion from one (m, 2) frame to another no rings touch; exact."""
         excused = self._may_touch[self._ring_of[:, None], self._ring_of]
         for frame, other in ((before, after), (after, before)):
             for together in self._points_together(frame):

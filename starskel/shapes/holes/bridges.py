@@ -92,7 +92,7 @@ def _bent(bridges: Bridges, regions: Sequence[Region], task: Task) -> Iterator[B
 
 
 def halves(pair: Correspondence, chain: BridgeChain) -> tuple[Indices, Indices]:
-    """Give the rows of the simple polygons right and left of a chain, counter-clockwise.
+    """Give the (k,) rows of the simple polygons right and left of a chain, counter-clockwise.
 
     The bends' rows follow those of the pair.
     """

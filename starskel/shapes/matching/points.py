@@ -18,12 +18,12 @@ ROOM = 0.2
 
 
 def middle_of(ring: Floats) -> complex:
-    """Give the middle of a ring's area."""
+    """Give the centroid of an (n, 2) ring, x and y."""
     return complex(as_complex(shapely.get_coordinates(shapely.centroid(shapely.Polygon(ring)))[0]))
 
 
 def carried(ring: Floats, similarity: Similarity) -> Place:
-    """Give where the middle of a ring goes."""
+    """Give where a similarity takes the centroid of an (n, 2) ring."""
     place = similarity(middle_of(ring))
     return place.real, place.imag
 
@@ -56,7 +56,7 @@ def room_for(place: Place | None, wished: Place, region: shapely.Polygon, name: 
 
 
 def tiny_copy(ring: Floats, place: Place, region: shapely.Polygon, turn: complex) -> Floats:
-    """Give a ring scaled down round a point in a region, turned as that is."""
+    """Give an (n, 2) ring scaled down round a point in a region, turned by a complex number."""
     around = as_complex(ring) - middle_of(ring)
     size = min(
         TINY * float(np.ptp(shapely.get_coordinates(region), axis=0).max()), ROOM * _room(place, region)

@@ -48,7 +48,7 @@ class Passage:
 
 
 def passages(ring: Floats, task: Task) -> list[Passage]:
-    """Give the way out from every edge of a simple ring."""
+    """Give the way out from every edge of a simple (n, 2) ring."""
     points = points_of(ring)
     n = len(ring)
     found: dict[int, Passage] = {}

@@ -36,7 +36,7 @@ class SquareMap:
     scale: complex
 
     def put(self, points: Complex) -> Complex:
-        """Put points into the square."""
+        """Put (m,) complex points into the square."""
         return np.asarray((points - self.centre) / self.scale)
 
 
