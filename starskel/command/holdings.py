@@ -12,13 +12,11 @@ from starskel.files.multi_pairs import MultiPair
 from starskel.files.pairs import ShapePair
 from starskel.files.project import AnyPair, letter
 from starskel.files.project_file import read_project
-from starskel.reading.found import Found as NamedShape
+from starskel.reading.named_shape import NamedShape
 from starskel.reading.readers import ENDINGS, FORMATS, read_shapes
 from starskel.reading.wanted import TOLERANCE
 from starskel.shapes.matching.pairing import suggest_pairing
 from starskel.shapes.shape import Shape
-
-__all__ = ["Holdings", "NamedShape", "check_texts", "holdings", "pair_of"]
 
 FONTS = next(found.endings for found in FORMATS if found.module == "font")
 

@@ -10,8 +10,8 @@ from starskel.arrays import Floats
 from starskel.errors import InvalidFile, told
 from starskel.limits import Tally
 from starskel.reading.curves import flattened
-from starskel.reading.found import Found, Reading, uniquely_named
 from starskel.reading.mending import shape_of_rings
+from starskel.reading.named_shape import NamedShape, Reading, uniquely_named
 from starskel.reading.wanted import Wanted
 from starskel.shapes.shape import Shape
 
@@ -45,7 +45,7 @@ def read(content: bytes, wanted: Wanted) -> Reading:
     made = [(text, _shape(font, text, wanted.tolerance, tally)) for text in wanted.texts or usual]
     empty = [text for text, shape in made if shape is None]
     notes = [told('"{text}" has no outline', text=text) for text in empty if wanted.texts]
-    shapes = [Found(text, *shape) for text, shape in made if shape is not None]
+    shapes = [NamedShape(text, *shape) for text, shape in made if shape is not None]
     return Reading(uniquely_named(shapes), tuple(notes))
 
 

@@ -9,7 +9,7 @@ import shapely
 from starskel.errors import InvalidFile, told
 from starskel.limits import DRAWING_BYTES, DRAWING_SHAPES, DRAWING_VALUES, Tally, check_limit
 from starskel.reading.areas import area_of
-from starskel.reading.found import Found, Reading, uniquely_named
+from starskel.reading.named_shape import NamedShape, Reading, uniquely_named
 from starskel.reading.wanted import Wanted
 
 _GEOMETRIES = {
@@ -41,7 +41,7 @@ def read(content: bytes, wanted: Wanted) -> Reading:
         made = area_of(geometry, tally)
         empty += made is None
         if made is not None:
-            shapes.append(Found(name or told("shape {number}", number=number), *made))
+            shapes.append(NamedShape(name or told("shape {number}", number=number), *made))
     notes = (told("features without an area were left out: {count}", count=empty),) if empty else ()
     return Reading(uniquely_named(shapes), notes)
 

@@ -8,7 +8,7 @@ from typing import Protocol, cast
 
 from starskel.errors import InvalidFile, either, told
 from starskel.files.disk import read_bytes
-from starskel.reading.found import Reading
+from starskel.reading.named_shape import Reading
 from starskel.reading.wanted import TOLERANCE, Wanted
 
 

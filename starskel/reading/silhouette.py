@@ -3,7 +3,7 @@
 from starskel.errors import InvalidFile, StarskelError, told
 from starskel.files.raster import decoded
 from starskel.images.tracing import By, trace, usual
-from starskel.reading.found import Found, Reading
+from starskel.reading.named_shape import NamedShape, Reading
 from starskel.reading.wanted import Wanted
 
 _LEAST = 1.0
@@ -30,4 +30,4 @@ def read(content: bytes, wanted: Wanted) -> Reading:
         shape = trace(picture, tolerance=tolerance, parts="all")
     except StarskelError as error:
         raise InvalidFile(error.what, error.mend) from error
-    return Reading((Found(told("silhouette"), shape, (_TRACED[usual(picture.pixels)],)),))
+    return Reading((NamedShape(told("silhouette"), shape, (_TRACED[usual(picture.pixels)],)),))

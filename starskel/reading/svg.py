@@ -18,8 +18,8 @@ import svgelements
 from starskel.arrays import Floats
 from starskel.errors import InvalidFile, told
 from starskel.limits import Tally
-from starskel.reading.found import Found, Reading, uniquely_named
 from starskel.reading.mending import Rule, check_crossings, shape_of_geometry, shape_of_rings
+from starskel.reading.named_shape import NamedShape, Reading, uniquely_named
 from starskel.reading.svg_limits import check_content, check_tree, tidy_styles, without_idle_attributes
 from starskel.reading.svg_lines import chords, lines_of
 from starskel.reading.wanted import Wanted
@@ -112,7 +112,7 @@ def _notes(root: ElementTree.Element) -> tuple[str, ...]:
     return tuple(told("{what} in the file were left out", what=what) for what in left_out)
 
 
-def _found(element: svgelements.Shape, number: int, tolerance: float, tally: Tally) -> Iterator[Found]:
+def _found(element: svgelements.Shape, number: int, tolerance: float, tally: Tally) -> Iterator[NamedShape]:
     """Give what an element draws, where it draws anything."""
     filled, stroked = _painted(element.fill), _painted(element.stroke)
     if element.values.get("visibility") == "hidden" or not (filled or stroked):
@@ -124,7 +124,7 @@ def _found(element: svgelements.Shape, number: int, tolerance: float, tally: Tal
     made = _fill(element, lines, tally) if filled else _stroke(element, lines, reach, tally)
     if made is not None:
         tag = str(element.values.get("tag") or "path")
-        yield Found(str(element.id or f"{tag} {number}"), *made)
+        yield NamedShape(str(element.id or f"{tag} {number}"), *made)
 
 
 def _fill(

@@ -17,7 +17,7 @@ from starskel.limits import (
     check_limit,
 )
 from starskel.reading.areas import area_of
-from starskel.reading.found import Found, Reading
+from starskel.reading.named_shape import NamedShape, Reading
 from starskel.reading.wanted import Wanted
 
 _OUTSIDE = re.compile(rb"[A-Za-z]+|[()]")
@@ -58,7 +58,7 @@ def read(content: bytes, wanted: Wanted) -> Reading:
         made = area_of(geometry, tally)
         empty += made is None
         if made is not None:
-            shapes.append(Found(told("shape {number}", number=number), *made))
+            shapes.append(NamedShape(told("shape {number}", number=number), *made))
     notes = (told("geometries without an area were left out: {count}", count=empty),) if empty else ()
     return Reading(tuple(shapes), notes)
 

@@ -31,7 +31,7 @@ from starskel.errors import StarskelError
 from starskel.task import Task
 
 if TYPE_CHECKING:  # what reads is loaded by the worker, so that the window opens sooner
-    from starskel.reading.found import Found, Reading
+    from starskel.reading.named_shape import NamedShape, Reading
 
 
 _CLIPBOARD = Path("clipboard.svg")
@@ -117,18 +117,18 @@ class Importing(QObject):
             refusal = Refusal(aim.side, error)
             self._session.edit(lambda context: Response(SelectTool(refusal.side), refusal=refusal))
 
-    def _chosen(self, aim: Aim, reading: "Reading") -> "Mapping[Side, Found] | None":
+    def _chosen(self, aim: Aim, reading: "Reading") -> "Mapping[Side, NamedShape] | None":
         """Give a shape for each canvas that gets one, asking where a file holds several."""
         if len(reading.shapes) == 1:
             return {aim.side or ("source" if aim.anew else self._session.selection.side): reading.shapes[0]}
         chooser = import_module("app.view.files.shape_chooser")
         sides = SIDES if aim.side is None else (aim.side,)
-        chosen: Mapping[Side, Found] | None = chooser.chosen_shapes(
+        chosen: Mapping[Side, NamedShape] | None = chooser.chosen_shapes(
             aim.path, reading, sides, self._window, optional=not aim.anew
         )
         return chosen
 
-    def _put(self, aim: Aim, chosen: "Mapping[Side, Found]") -> None:
+    def _put(self, aim: Aim, chosen: "Mapping[Side, NamedShape]") -> None:
         shapes = {side: found.shape for side, found in chosen.items()}
         name = (
             QT_TRANSLATE_NOOP("Step", "Paste shape")
@@ -147,7 +147,7 @@ class Importing(QObject):
                 self._canvases[side].reveal()
         self._tell(chosen)
 
-    def _tell(self, chosen: "Mapping[Side, Found]") -> None:
+    def _tell(self, chosen: "Mapping[Side, NamedShape]") -> None:
         """Say what was mended."""
         lines = [
             f"{words.retold(found.name)}: {words.retold(repair)}"

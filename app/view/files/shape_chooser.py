@@ -27,7 +27,7 @@ from app.view.painting.theme import theme_of
 from app.view.painting.thumbnail import paint_shape
 from app.view.wording import words
 from app.view.wording.counts import COUNTS
-from starskel.reading.found import Found, Reading
+from starskel.reading.named_shape import NamedShape, Reading
 from starskel.reading.readers import format_of
 
 translate = QCoreApplication.translate
@@ -59,7 +59,7 @@ class _Rows(QStyledItemDelegate):
         self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
     ) -> None:
         super().paint(painter, option, index)
-        found: Found | None = index.data(SHAPE)
+        found: NamedShape | None = index.data(SHAPE)
         if found is not None:
             box = QRectF(option.rect).adjusted(4, 4, 0, -4)
             box.setWidth(PICTURE)
@@ -72,7 +72,7 @@ class _Rows(QStyledItemDelegate):
 class ShapeList(QListWidget):
     """The shapes of a file for one canvas; the first row may be that its shape stays."""
 
-    def __init__(self, side: Side, shapes: Sequence[Found], *, optional: bool) -> None:
+    def __init__(self, side: Side, shapes: Sequence[NamedShape], *, optional: bool) -> None:
         super().__init__()
         self.setItemDelegate(_Rows(side, self))
         self.setUniformItemSizes(True)
@@ -84,13 +84,13 @@ class ShapeList(QListWidget):
             self.addItem(_row(found))
 
     @property
-    def chosen(self) -> Found | None:
+    def chosen(self) -> NamedShape | None:
         """The shape chosen, None where none is or the one there stays."""
         item = self.currentItem()
-        found: Found | None = None if item is None or item.isHidden() else item.data(SHAPE)
+        found: NamedShape | None = None if item is None or item.isHidden() else item.data(SHAPE)
         return found
 
-    def put_word(self, found: Found | None) -> None:
+    def put_word(self, found: NamedShape | None) -> None:
         """Show this before all other shapes, in the place of the one put there before, and choose it."""
         first = self.count() - len(self)
         if self._word is not None:
@@ -118,7 +118,7 @@ class ShapeList(QListWidget):
             self.setCurrentRow(next((row for row in shown if self.item(row).data(SHAPE)), -1))
 
 
-def _row(found: Found) -> QListWidgetItem:
+def _row(found: NamedShape) -> QListWidgetItem:
     item = QListWidgetItem(str(words.retold(found.name)))
     item.setData(SHAPE, found)
     item.setToolTip("\n".join([item.text(), *(str(words.retold(own)) for own in found.repairs)]))
@@ -168,7 +168,7 @@ class ShapeChooser(QDialog):
         self._follow()
 
     @property
-    def chosen(self) -> dict[Side, Found]:
+    def chosen(self) -> dict[Side, NamedShape]:
         """What was chosen, for each canvas that gets a shape."""
         found = {side: own.chosen for side, own in self._lists.items()}
         return {side: own for side, own in found.items() if own is not None}
@@ -216,7 +216,7 @@ class ShapeChooser(QDialog):
 
 def chosen_shapes(
     path: Path, reading: Reading, sides: Sequence[Side], parent: QWidget, *, optional: bool
-) -> Mapping[Side, Found] | None:
+) -> Mapping[Side, NamedShape] | None:
     """Ask for a shape for each side; None where the user thinks better of it."""
     dialog = ShapeChooser(path, reading, sides, parent, optional=optional)
     return dialog.chosen if accepted(dialog) else None

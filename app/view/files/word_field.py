@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QLineEdit
 from app.compute.errands import Errands, Outcome
 from app.view.wording import words
 from starskel.errors import StarskelError
-from starskel.reading.found import Found, Reading
+from starskel.reading.named_shape import NamedShape, Reading
 from starskel.task import Task
 
 PAUSE = 200
@@ -21,7 +21,7 @@ class WordField(QLineEdit):
     """Asks for a word."""
 
     made = Signal(object)
-    """The shape of the word, a `Found`; None where nothing is written, or it cannot be set."""
+    """The shape of the word, a `NamedShape`; None where nothing is written, or it cannot be set."""
     refused = Signal(str)
     """Why it cannot be set."""
     pending_changed = Signal()
@@ -76,6 +76,6 @@ class WordField(QLineEdit):
         self.pending_changed.emit()
 
 
-def _word(font: Path, text: str, _: Task) -> Found:
+def _word(font: Path, text: str, _: Task) -> NamedShape:
     reading: Reading = import_module("starskel.reading.readers").read_shapes(font, texts=(text,))
     return reading.shapes[0]

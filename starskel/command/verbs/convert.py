@@ -10,13 +10,14 @@ import msgspec
 import numpy as np
 import shapely
 
-from starskel.command.holdings import NamedShape, check_texts, holdings, pair_of
+from starskel.command.holdings import check_texts, holdings, pair_of
 from starskel.command.written import written_text
 from starskel.errors import InvalidFile
 from starskel.export.svg import svg_text
 from starskel.files.disk import write_bytes, wrong_ending
 from starskel.files.project import Project
 from starskel.files.project_file import write_project
+from starskel.reading.named_shape import NamedShape
 from starskel.sheet.drawing import Area, Drawing, Group
 
 _ONE_UNIT = 1e-9

@@ -7,9 +7,10 @@ from pathlib import Path
 import msgspec
 
 from starskel.command import FAILED
-from starskel.command.holdings import NamedShape, check_texts, holdings
+from starskel.command.holdings import check_texts, holdings
 from starskel.errors import StarskelError
 from starskel.files.documents import document_text
+from starskel.reading.named_shape import NamedShape
 from starskel.sheet.words import counted
 
 FORMAT = "starskel-info/1"

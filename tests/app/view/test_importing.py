@@ -16,7 +16,7 @@ from app.model.selection import Selection
 from app.view.files.remembered import recent_files
 from app.view.files.shape_chooser import ShapeChooser, ShapeList
 from app.view.files.word_field import WordField
-from starskel.reading.found import Reading
+from starskel.reading.named_shape import Reading
 from starskel.reading.readers import read_shapes
 from tests.app.driver import CONTROL, SQUARE, TRIANGLE, Driver, name_file
 

@@ -1,4 +1,4 @@
-"""Found: a shape as a file holds it, under its name, and what was mended."""
+"""Named shape: a shape as a file holds it, under its name, and what was mended."""
 
 from dataclasses import dataclass, replace
 
@@ -6,7 +6,7 @@ from starskel.shapes.shape import Shape
 
 
 @dataclass(frozen=True)
-class Found:
+class NamedShape:
     """A shape of a file.
 
     Attributes
@@ -30,13 +30,13 @@ class Reading:
 
     Attributes
     ----------
-    shapes : tuple of Found
+    shapes : tuple of NamedShape
         In the file's order.
     notes : tuple of str
         What could not become a shape, a sentence each.
     """
 
-    shapes: tuple[Found, ...]
+    shapes: tuple[NamedShape, ...]
     notes: tuple[str, ...] = ()
 
     @property
@@ -45,7 +45,7 @@ class Reading:
         return tuple(f"{found.name}: {repair}" for found in self.shapes for repair in found.repairs)
 
 
-def uniquely_named(shapes: list[Found]) -> tuple[Found, ...]:
+def uniquely_named(shapes: list[NamedShape]) -> tuple[NamedShape, ...]:
     """Give shapes names that differ: "leaf", "leaf 2", "leaf 3"."""
     taken: set[str] = set()
     numbers: dict[str, int] = {}
