@@ -14,7 +14,7 @@ from starskel.cli import main
 from starskel.files.project_file import read_project
 from starskel.reading.readers import read_shapes
 
-ICONS = Path(__file__).parents[1] / "files" / "icons"
+ICONS = Path(__file__).parents[2] / "files" / "icons"
 CLUB, BUG = str(ICONS / "bootstrap-suit-club-fill.svg"), str(ICONS / "bootstrap-bug-fill.svg")
 GEAR = str(ICONS / "bootstrap-gear-fill.svg")
 

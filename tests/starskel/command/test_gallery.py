@@ -10,7 +10,7 @@ import pytest
 from starskel.blending import COMPARED
 from starskel.cli import main
 from starskel.files.examples import example, resource_folder
-from tests.starskel.test_cli_verbs import LETTERS, texts
+from tests.starskel.command.test_verbs import LETTERS, texts
 
 HAND = str(resource_folder() / "examples" / "hand.json")
 QUICK = ("--method", "vertex", "--method", "star-skeleton", "--frames", "3")

@@ -17,7 +17,7 @@ from starskel.files.project import Project
 from starskel.files.project_file import read_project, write_project
 from tests.starskel.export.rendering import needs_ghostscript, rendered_postscript
 
-SHAPES = Path(__file__).parents[1] / "shapes"
+SHAPES = Path(__file__).parents[2] / "shapes"
 LETTERS = str(SHAPES / "letters.json")
 HEART, STAR = (str(SHAPES.parent / "files" / "icons" / f"lucide-{name}.svg") for name in ("heart", "star"))
 COAST = str(SHAPES / "coasts.json")

@@ -25,7 +25,7 @@ from starskel.files.raster_writing import write_image
 from starskel.polygon import Polygon
 
 WORDS = ["--methods", "vertex", "--frames", "11"]
-ICONS = Path(__file__).parents[2] / "files" / "icons"
+ICONS = Path(__file__).parents[3] / "files" / "icons"
 
 
 @pytest.fixture(autouse=True)
