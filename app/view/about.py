@@ -5,7 +5,9 @@ from importlib.metadata import PackageNotFoundError, version
 
 from PySide6.QtCore import Slot, qVersion
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QPlainTextEdit, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QPlainTextEdit, QVBoxLayout, QWidget
+
+from app.view.wording.plain import Label
 
 PACKAGES = ("starskel", "PySide6-Essentials", "numpy", "scipy", "shapely")
 
@@ -29,7 +31,7 @@ class AboutDialog(QDialog):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("About starskel"))
-        text = QLabel(
+        text = Label(
             self.tr(
                 "Blends one drawn shape into another by the star-skeleton, after M. Shapira and "
                 "A. Rappoport, IEEE Computer Graphics and Applications, March 1995. MIT licence."

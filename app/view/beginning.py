@@ -2,9 +2,10 @@
 
 from PySide6.QtCore import QSettings, Qt, Slot
 from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QToolButton, QVBoxLayout
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QToolButton, QVBoxLayout
 
 from app.view.commands.actions import Actions
+from app.view.wording.plain import Label
 
 _KEY = "begun"
 
@@ -26,7 +27,7 @@ class Beginning(QFrame):
     def __init__(self, actions: Actions) -> None:
         super().__init__()
         self._actions = actions
-        self._texts = [QLabel() for _ in self._lines()]
+        self._texts = [Label() for _ in self._lines()]
         self.setObjectName("beginning")
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setAutoFillBackground(True)
@@ -34,7 +35,7 @@ class Beginning(QFrame):
         row.setContentsMargins(12, 8, 8, 8)
         row.setSpacing(16)
         for number, (text, (heading, _)) in enumerate(zip(self._texts, self._lines(), strict=True), start=1):
-            row.addLayout(_column(QLabel(f"{number}  {heading}"), text), 1)
+            row.addLayout(_column(Label(f"{number}  {heading}"), text), 1)
         self._name_keys()
         for name in ("mark", "play", "export"):
             actions[name].changed.connect(self._name_keys)
@@ -78,7 +79,7 @@ class Beginning(QFrame):
         self.setVisible(shown)
 
 
-def _column(title: QLabel, text: QLabel) -> QVBoxLayout:
+def _column(title: Label, text: Label) -> QVBoxLayout:
     font = title.font()
     font.setBold(True)
     title.setFont(font)

@@ -7,12 +7,13 @@ from types import TracebackType
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QPlainTextEdit, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QPlainTextEdit, QVBoxLayout, QWidget
 
 from app.recovery.journal import log_fault
 from app.recovery.keeper import Keeper
 from app.view.about import versions
 from app.view.asking import asked
+from app.view.wording.plain import Label
 
 
 class Faults(QObject):
@@ -62,11 +63,11 @@ class FaultDialog(QDialog):
         self.resize(620, 400)
         safe = self.tr("Your document is still here, and what was not saved has been kept in case it ends.")
         unsafe = self.tr("Your document is still here, but it could not be kept: save it under another name.")
-        heading = QLabel(self.tr("Something went wrong inside the program."))
+        heading = Label(self.tr("Something went wrong inside the program."))
         heading.setObjectName("heading")
-        self.state = QLabel(safe if kept else unsafe)
+        self.state = Label(safe if kept else unsafe)
         self.state.setWordWrap(True)
-        use = QLabel(self.tr("With this report the fault can be found and mended:"))
+        use = Label(self.tr("With this report the fault can be found and mended:"))
         self.report = QPlainTextEdit(report)
         self.report.setReadOnly(True)
         self.report.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)

@@ -40,7 +40,7 @@ from app.view.timeline.player import Player
 from app.view.timeline.timeline import Timeline
 from app.view.watching import LAYERS, Watching
 from app.view.window_state import keep_window
-from app.view.wording import language, words
+from app.view.wording import language, plain, words
 
 SIZE = QSize(1280, 860)
 """Of a window that has not been given another one."""
@@ -266,7 +266,7 @@ class MainWindow(QMainWindow):
     @Slot()
     def _follow(self) -> None:
         session, actions = self.session, self.actions_table
-        self.setWindowTitle(f"{self.files.name}[*] - starskel")
+        self.setWindowTitle(f"{plain.title(self.files.name)}[*] - starskel")
         self.setWindowModified(session.unsaved)
         for name, label, edit in (
             ("undo", self.tr("&Undo"), session.undoes),

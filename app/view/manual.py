@@ -4,8 +4,9 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt, QUrl, Slot
 from PySide6.QtGui import QDesktopServices, QKeySequence, QShortcut, QTextBlock, QTextBlockFormat, QTextCursor
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QPushButton, QTextBrowser, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QPushButton, QTextBrowser, QVBoxLayout, QWidget
 
+from app.view.wording.plain import Label
 from starskel.files.examples import resource_folder
 
 CONTENTS = "README.md"
@@ -40,7 +41,7 @@ class Manual(QWidget):
         self.search.setAccessibleName(self.tr("Find in the manual"))
         self.search.setClearButtonEnabled(True)
         self.search.returnPressed.connect(self.find_next)
-        self.outcome = QLabel()
+        self.outcome = Label()
         self._arrange()
         self.pages.sourceChanged.connect(self._lead)
         self.show_page(CONTENTS)

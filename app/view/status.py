@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QStatusBar, QToolButton
 from app.session import Session
 from app.view.commands.actions import Actions
 from app.view.files.file_reader import FileReader
-from app.view.wording import words
+from app.view.wording import plain, words
 from app.view.wording.counts import COUNTS
 from app.view.wording.fitting_label import FittingLabel
 from app.view.work_indicator import WorkIndicator
@@ -52,7 +52,7 @@ class _FolderButton(QToolButton):
     def offer(self, folder: Path) -> None:
         """Be there for a while."""
         self._folder = folder
-        self.setToolTip(str(folder))
+        self.setToolTip(plain.tip(str(folder)))
         self.show()
         self._end.start(NOTICE)
 

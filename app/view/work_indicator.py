@@ -2,7 +2,9 @@
 
 from PySide6.QtCore import QTimer, Slot
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QToolButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QProgressBar, QToolButton, QWidget
+
+from app.view.wording.plain import Label
 
 BLINK = 300
 """Milliseconds of work that are not worth a word."""
@@ -21,7 +23,7 @@ class WorkIndicator(QWidget):
 
     def __init__(self, name: str, cancel: QAction) -> None:
         super().__init__()
-        self.text = QLabel()
+        self.text = Label()
         self.text.setAccessibleName(name)
         self._bar = QProgressBar()
         self._bar.setAccessibleName(self.tr("Progress"))

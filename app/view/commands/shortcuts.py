@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QHBoxLayout,
     QKeySequenceEdit,
-    QLabel,
     QLineEdit,
     QPushButton,
     QTreeWidget,
@@ -20,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.view.commands.finder import matches, plain
 from app.view.commands.table import COMMANDS
+from app.view.wording.plain import Label
 
 _GROUP = "shortcuts"
 _NATIVE = QKeySequence.SequenceFormat.NativeText
@@ -87,14 +87,14 @@ class ShortcutsDialog(QDialog):
         self.keys.keySequenceChanged.connect(self._warn)
         self.assign = QPushButton(self.tr("&Assign"))
         self.assign.clicked.connect(self._assign)
-        self.note = QLabel()
+        self.note = Label()
         self.note.setWordWrap(True)
         self._arrange()
         self._fill()
 
     def _arrange(self) -> None:
         row = QHBoxLayout()
-        label = QLabel(self.tr("&New shortcut:"))
+        label = Label(self.tr("&New shortcut:"))
         label.setBuddy(self.keys)
         row.addWidget(label)
         row.addWidget(self.keys, 1)

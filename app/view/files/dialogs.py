@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QFileDialog,
-    QLabel,
     QLineEdit,
     QListWidget,
     QMessageBox,
@@ -22,6 +21,7 @@ from PySide6.QtWidgets import (
 from app.view.asking import accepted, asked
 from app.view.files.remembered import last_folder, remember_folder
 from app.view.wording import words
+from app.view.wording.plain import Label
 from starskel.errors import StarskelError
 from starskel.files.disk import room_in
 from starskel.limits import DOCUMENT_BYTES
@@ -252,7 +252,7 @@ class PairDialog(QDialog):
         self._buttons.accepted.connect(self.accept)
         self._buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
-        layout.addWidget(QLabel(self.tr("The file holds {count} pairs of shapes.").format(count=len(ids))))
+        layout.addWidget(Label(self.tr("The file holds {count} pairs of shapes.").format(count=len(ids))))
         for widget in (self._filter, self._list, self._buttons):
             layout.addWidget(widget)
 

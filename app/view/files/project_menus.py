@@ -10,7 +10,7 @@ from app.view.files.remembered import forget_files, recent_files
 from app.view.painting.drawing import layer_of, painting
 from app.view.painting.theme import theme_of
 from app.view.painting.thumbnail import paint_thumbnail
-from app.view.wording import words
+from app.view.wording import plain, words
 from starskel.errors import StarskelError
 from starskel.files.documents import format_of
 from starskel.files.examples import example, example_names, figure_number
@@ -69,10 +69,10 @@ class ProjectMenu(QMenu):
 
     def add(self, text: str, project: Project | None, tip: str, data: object) -> None:
         """Add an entry."""
-        action = self.addAction(text.replace("&", "&&"))
+        action = self.addAction(plain.entry(text))
         if project is not None:
             action.setIcon(project_icon(project, self.palette()))
-        action.setToolTip(tip)
+        action.setToolTip(plain.tip(tip))
         action.setStatusTip(tip)
         action.setData(data)
 

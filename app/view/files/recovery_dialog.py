@@ -6,7 +6,6 @@ from PySide6.QtCore import QDateTime, QLocale, QSize, Qt, Slot
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
-    QLabel,
     QListWidget,
     QListWidgetItem,
     QMessageBox,
@@ -19,6 +18,7 @@ from app.recovery.places import Kept
 from app.recovery.record import Record
 from app.view.asking import asked
 from app.view.files.project_menus import project_icon
+from app.view.wording.plain import Label
 from starskel.errors import NewerFile
 
 PICTURE = QSize(72, 72)
@@ -41,7 +41,7 @@ class RecoveryDialog(QDialog):
         self.setWindowTitle(self.tr("Recovered documents"))
         self.resize(520, 380)
         self.chosen: Kept | None = None
-        heading = QLabel(self.tr("The program ended unexpectedly. What was not saved then has been kept:"))
+        heading = Label(self.tr("The program ended unexpectedly. What was not saved then has been kept:"))
         heading.setWordWrap(True)
         self.documents = QListWidget()
         self.documents.setAccessibleName(self.tr("Recovered documents"))
@@ -53,7 +53,7 @@ class RecoveryDialog(QDialog):
             self._add(each)
         self.documents.itemDoubleClicked.connect(self._open)
         self.documents.currentItemChanged.connect(self._follow)
-        later = QLabel(self.tr("What is left for later is offered again, and is in the File menu."))
+        later = Label(self.tr("What is left for later is offered again, and is in the File menu."))
         later.setWordWrap(True)
         buttons = QDialogButtonBox()
         self.open_button = self._button(buttons, self.tr("&Open"), QDialogButtonBox.ButtonRole.AcceptRole)

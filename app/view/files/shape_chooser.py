@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QListWidget,
     QListWidgetItem,
@@ -25,8 +24,9 @@ from app.view.asking import accepted
 from app.view.files.word_field import WordField
 from app.view.painting.theme import theme_of
 from app.view.painting.thumbnail import paint_shape
-from app.view.wording import words
+from app.view.wording import plain, words
 from app.view.wording.counts import COUNTS
+from app.view.wording.plain import Label
 from starskel.reading.named_shape import NamedShape, Reading
 from starskel.reading.readers import format_of
 
@@ -121,7 +121,7 @@ class ShapeList(QListWidget):
 def _row(found: NamedShape) -> QListWidgetItem:
     item = QListWidgetItem(str(words.retold(found.name)))
     item.setData(SHAPE, found)
-    item.setToolTip("\n".join([item.text(), *(str(words.retold(own)) for own in found.repairs)]))
+    item.setToolTip(plain.tip("\n".join([item.text(), *(str(words.retold(own)) for own in found.repairs)])))
     return item
 
 
@@ -134,7 +134,7 @@ class ShapeChooser(QDialog):
         super().__init__(parent)
         self.setWindowTitle(self.tr("Choose shapes"))
         self.resize(320 * len(sides) + 40, 560)
-        heading = QLabel(COUNTS.shapes_in(path.name, len(reading.shapes)))
+        heading = Label(COUNTS.shapes_in(path.name, len(reading.shapes)))
         heading.setWordWrap(True)
         self._filter = QLineEdit()
         self._filter.setPlaceholderText(self.tr("Filter"))
@@ -143,7 +143,7 @@ class ShapeChooser(QDialog):
         self._filter.textChanged.connect(self._narrow)
         several = optional and len(sides) > 1
         self._lists = {side: ShapeList(side, reading.shapes, optional=several) for side in sides}
-        self._mended = {side: QLabel() for side in sides}
+        self._mended = {side: Label() for side in sides}
         writing = sides if format_of(path).module == "font" else ()
         self._words = {side: WordField(path) for side in writing}
         columns = QHBoxLayout()
@@ -160,7 +160,7 @@ class ShapeChooser(QDialog):
         layout.addWidget(self._filter)
         layout.addLayout(columns, 1)
         if reading.notes:
-            notes = QLabel("\n".join(str(words.retold(note)) for note in reading.notes))
+            notes = Label("\n".join(str(words.retold(note)) for note in reading.notes))
             notes.setWordWrap(True)
             layout.addWidget(notes)
         layout.addWidget(self._buttons)
@@ -174,7 +174,7 @@ class ShapeChooser(QDialog):
         return {side: own for side, own in found.items() if own is not None}
 
     def _column(self, side: Side, own: ShapeList) -> QVBoxLayout:
-        label, mended = QLabel(words.side(side)), self._mended[side]
+        label, mended = Label(words.side(side)), self._mended[side]
         label.setBuddy(own)
         word = self._words.get(side)
         if word is not None:

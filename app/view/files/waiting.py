@@ -3,9 +3,10 @@
 from typing import Any
 
 from PySide6.QtCore import QEventLoop, Qt, QTimer, Slot
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QProgressBar, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QProgressBar, QVBoxLayout, QWidget
 
 from app.compute.errands import Errands, Outcome, Work
+from app.view.wording.plain import Label
 from starskel.errors import Cancelled
 
 BLINK = 400
@@ -40,7 +41,7 @@ class Waiting(QDialog):
         buttons.setVisible(stoppable)
         self._stoppable = stoppable
         layout = QVBoxLayout(self)
-        for widget in (QLabel(text), self._bar, buttons):
+        for widget in (Label(text), self._bar, buttons):
             layout.addWidget(widget)
         self.setMinimumWidth(360)
 

@@ -8,7 +8,6 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
     QHeaderView,
-    QLabel,
     QLineEdit,
     QPushButton,
     QSpinBox,
@@ -24,6 +23,7 @@ from app.tools.verbs.marks import remove_mark
 from app.view.lists.marks_model import Index, MarksModel
 from app.view.painting.theme import theme_of
 from app.view.wording import words
+from app.view.wording.plain import Label
 
 MOST = 99
 """Marks that may be suggested at once; more would be hard to tell apart."""
@@ -148,7 +148,7 @@ class MarksPanel(QWidget):
         self._suggest.setObjectName("suggest")
         self._suggest.setToolTip(self.tr("Replace all marks by ones that suggest themselves"))
         self._suggest.clicked.connect(self.suggest)
-        self.message = QLabel()
+        self.message = Label()
         self.message.setObjectName("marks-message")
         self.message.setWordWrap(True)
         self.message.hide()
@@ -167,12 +167,12 @@ class MarksPanel(QWidget):
         row = QHBoxLayout()
         row.addWidget(self._suggest, 1)
         row.addWidget(self.count)
-        row.addWidget(QLabel(self.tr("marks")))
+        row.addWidget(Label(self.tr("marks")))
         return row
 
-    def _help(self) -> QLabel:
+    def _help(self) -> Label:
         text = self.tr("Type a vertex number to change it, Del removes. New marks go in the last row.")
-        label = QLabel(text)
+        label = Label(text)
         label.setWordWrap(True)
         label.setForegroundRole(self.palette().ColorRole.PlaceholderText)
         return label

@@ -21,7 +21,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
     QHeaderView,
-    QLabel,
     QLineEdit,
     QSizePolicy,
     QStyledItemDelegate,
@@ -36,6 +35,7 @@ from app.session import Session
 from app.view.commands.actions import Actions
 from app.view.lists.partnering import Partnering
 from app.view.lists.parts_model import ICON, NAME, Index, PartsModel
+from app.view.wording.plain import Label
 
 BUTTONS = ("part-add", "part-remove", "part-forward", "part-backward", "part-colour", "suggest-pairing")
 """The commands that stand above the list."""
@@ -208,11 +208,11 @@ class PartsPanel(QWidget):
         self._box.setChecked(self._joined.isChecked())
         self._box.setEnabled(self._joined.isEnabled())
 
-    def _help(self) -> QLabel:
+    def _help(self) -> Label:
         text = self.tr(
             "Drag a source or a target onto another row to pair it there; Enter lets you choose a partner."
         )
-        label = QLabel(text)
+        label = Label(text)
         label.setWordWrap(True)
         policy = label.sizePolicy()
         policy.setHorizontalPolicy(QSizePolicy.Policy.Ignored)  # else the list opens as wide as its words

@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QEvent
 from PySide6.QtGui import QColor, QPalette
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from app.compute import STEERED, MethodState
 from app.session import Session
@@ -11,9 +11,10 @@ from app.view.painting.theme import theme_of
 from app.view.panels.frame_view import FrameView
 from app.view.panels.steering import Steering
 from app.view.timeline.player import Player
-from app.view.wording import verdicts, words
+from app.view.wording import plain, verdicts, words
 from app.view.wording.counts import COUNTS
 from app.view.wording.fitting_label import FittingLabel
+from app.view.wording.plain import Label
 from starskel.arrays import Floats
 from starskel.sheet.words import kind_of
 
@@ -30,7 +31,7 @@ class Panel(QWidget):
         self._session = session
         self.setObjectName(f"{method}-panel")
         self.setAccessibleName(words.method(method))
-        self._name = QLabel(words.method(method))
+        self._name = Label(words.method(method))
         font = self._name.font()
         font.setBold(True)
         self._name.setFont(font)
@@ -68,7 +69,7 @@ class Panel(QWidget):
     def _show_verdict(self, state: MethodState) -> None:
         texts, colour = self._verdict(state)
         self.verdict.say(texts)
-        self.verdict.setToolTip(self._tip(state))
+        self.verdict.setToolTip(plain.tip(self._tip(state)))
         palette = QPalette(self.palette())
         palette.setColor(QPalette.ColorRole.WindowText, QColor(colour))
         self.verdict.setPalette(palette)

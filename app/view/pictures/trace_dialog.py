@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QFormLayout,
     QHBoxLayout,
-    QLabel,
     QSlider,
     QVBoxLayout,
     QWidget,
@@ -25,6 +24,7 @@ from app.view.painting.theme import theme_of
 from app.view.pictures.trace_preview import TracePreview
 from app.view.wording import words
 from app.view.wording.counts import COUNTS
+from app.view.wording.plain import Label
 from starskel.errors import StarskelError, told
 from starskel.files.picture import Picture
 
@@ -63,15 +63,15 @@ class TraceDialog(QDialog):
         ):
             self._by.addItem(text, by)
         self._by.setCurrentIndex(-1)  # until the picture has told what suggests itself
-        self._level, self._percent = self._slider("level", 1, 99), QLabel()
+        self._level, self._percent = self._slider("level", 1, 99), Label()
         self._level.setValue(round(100 * LEVEL))
-        self._tolerance, self._pixels = self._slider("tolerance", 0, STEPS), QLabel()
+        self._tolerance, self._pixels = self._slider("tolerance", 0, STEPS), Label()
         image = image_of(picture.content)
         self._set_tolerance(max(1.0, USUAL * max(image.width(), image.height())))
         self._several = QCheckBox(self.tr("All parts, not the largest alone"))
         self._holes = QCheckBox(self.tr("Holes"))
         self._holes.setChecked(True)
-        self._verdict = QLabel()
+        self._verdict = Label()
         self._verdict.setObjectName("verdict")
         self._verdict.setWordWrap(True)
         self._arrange()
@@ -131,7 +131,7 @@ class TraceDialog(QDialog):
             if figure is not None:
                 figure.setMinimumWidth(56)
                 row.addWidget(figure)
-            name = QLabel(label)
+            name = Label(label)
             name.setBuddy(control)
             control.setAccessibleName(label.replace("&", ""))
             form.addRow(name, row)

@@ -5,7 +5,6 @@ from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
     QHBoxLayout,
-    QLabel,
     QScrollArea,
     QToolButton,
     QWidget,
@@ -20,6 +19,7 @@ from app.view.sequence.sequencing import Sequencing
 from app.view.timeline.player import Player
 from app.view.wording import words
 from app.view.wording.decimal_field import DecimalField
+from app.view.wording.plain import Label
 
 LONGEST_DURATION = 600.0
 """Seconds that a step takes at most."""
@@ -60,7 +60,7 @@ class SequenceBar(QWidget):
             button.setAccessibleName(actions[name].text().replace("&", ""))
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             grid.addWidget(button, 0, column)
-        self._letters = QLabel()
+        self._letters = Label()
         grid.addWidget(self._letters, 1, 0, 1, 2)
         grid.addWidget(self._duration_field(), 1, 2, 1, 2)
         alone = QToolButton()

@@ -4,10 +4,12 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QSize
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QLabel, QSizePolicy
+from PySide6.QtWidgets import QSizePolicy
+
+from app.view.wording.plain import Label
 
 
-class FittingLabel(QLabel):
+class FittingLabel(Label):
     """Shows the first of its texts that fits, or else the last; it asks for no width of its own."""
 
     def __init__(self) -> None:

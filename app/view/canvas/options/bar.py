@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from PySide6.QtCore import QSize, Qt, Signal, Slot
-from PySide6.QtWidgets import QLabel, QSizePolicy, QStackedWidget, QToolBar
+from PySide6.QtWidgets import QSizePolicy, QStackedWidget, QToolBar
 
 from app.session import Session
 from app.view.canvas.options.pages import NumberField, Page, TextPage, TolerancePage
@@ -11,6 +11,7 @@ from app.view.canvas.options.picture_page import PicturePage
 from app.view.canvas.options.placement_page import SelectionPage
 from app.view.commands.actions import Actions
 from app.view.wording.decimal_field import DecimalField
+from app.view.wording.plain import Label
 
 SWITCHES = {
     "snap-vertices": "vertices",
@@ -36,7 +37,7 @@ class OptionsBar(QToolBar):
         self.setMovable(False)
         self.setIconSize(QSize(20, 20))
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
-        self.name = QLabel()
+        self.name = Label()
         font = self.name.font()
         font.setBold(True)
         self.name.setFont(font)
@@ -81,7 +82,7 @@ class OptionsBar(QToolBar):
     def _arrange(self) -> None:
         self.addWidget(self.name)
         self.addWidget(self._stack)
-        snap = QLabel(self.tr("Snap to"))
+        snap = Label(self.tr("Snap to"))
         snap.setContentsMargins(8, 0, 6, 0)
         self.addWidget(snap)
         for name in SWITCHES:

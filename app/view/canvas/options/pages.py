@@ -10,7 +10,6 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QFontComboBox,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QSlider,
     QSpinBox,
@@ -21,6 +20,7 @@ from app.session import Session
 from app.tools.settings import ToolSettings
 from app.view.canvas.options.lettering import lettering
 from app.view.wording.counts import COUNTS
+from app.view.wording.plain import Label
 from app.view.wording.words import figure
 
 FINEST, COARSEST = 0.5, 40.0
@@ -82,14 +82,14 @@ class Page(QWidget):
         """Put a control and its label behind those there are."""
         for line in control.findChildren(QLineEdit):
             line.returnPressed.connect(self.left)
-        writing = QLabel(label)
+        writing = Label(label)
         writing.setBuddy(control)
         control.setAccessibleName(label)
         control.setObjectName(control.objectName() or label)
         for widget in (writing, control):
             self._row.insertWidget(self._row.count() - 1, widget)
 
-    def add_note(self, note: QLabel) -> None:
+    def add_note(self, note: Label) -> None:
         """Put writing behind what there is."""
         self._row.insertWidget(self._row.count() - 1, note)
 
@@ -118,7 +118,7 @@ class TolerancePage(Page):
         self._slider.setObjectName("tolerance")
         self._slider.setRange(0, STEPS)
         self._slider.setFixedWidth(180)
-        self._figure, self._count = QLabel(), QLabel()
+        self._figure, self._count = Label(), Label()
         self.add(self.tr("Tolerance"), self._slider)
         self.add_note(self._figure)
         self.add_note(self._count)

@@ -8,7 +8,6 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QFormLayout,
     QHBoxLayout,
-    QLabel,
     QSpinBox,
     QVBoxLayout,
     QWidget,
@@ -23,6 +22,7 @@ from app.view.painting.display import Display
 from app.view.timeline.player import Player
 from app.view.wording import words
 from app.view.wording.decimal_field import DecimalField
+from app.view.wording.plain import Label
 
 _LAYOUTS: tuple[tuple[Layout, object], ...] = (
     ("row", QT_TRANSLATE_NOOP("ExportDialog", "Keyframes in a row")),
@@ -84,7 +84,7 @@ class ExportDialog(QDialog):
         self._pixels.setSuffix(self.tr(" px"))
         self._pixels.setSpecialValueText(self.tr("usual"))
         self._pixels.setToolTip(self.tr("The longer side, of formats that are made of pixels"))
-        self._formats = QLabel()
+        self._formats = Label()
         self._formats.setWordWrap(True)
         self._arrange()
         self._layout_field.currentIndexChanged.connect(self._follow)
