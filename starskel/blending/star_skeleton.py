@@ -52,11 +52,11 @@ class StarSkeletonBlend(PieceBlend):
     @property
     def mesh(self) -> FrameMesh:
         """A fan round the star origin of each piece, the origins behind the pieces' points."""
-        dec = self.decomposition
+        pieces = self.decomposition
         return FrameMesh(
-            np.concatenate([dec.source, dec.source_origins]),
-            np.concatenate([dec.target, dec.target_origins]),
-            origin_fans(dec),
+            np.concatenate([pieces.source, pieces.source_origins]),
+            np.concatenate([pieces.target, pieces.target_origins]),
+            origin_fans(pieces),
         )
 
     def _nodes(self, ts: Floats) -> Floats:

@@ -53,9 +53,9 @@ def spokes_of(skeleton: Skeleton, turns: int = 0) -> Spokes:
     All of them turn by so many whole turns more than they need, counter-clockwise.
     """
     layout = _layout(skeleton)
-    dec = skeleton.decomposition
-    source = _side(layout, dec.source, dec.source_origins)
-    target = _side(layout, dec.target, dec.target_origins)
+    pieces = skeleton.decomposition
+    source = _side(layout, pieces.source, pieces.source_origins)
+    target = _side(layout, pieces.target, pieces.target_origins)
     rotations = _rotations(skeleton, layout, source, target)
     lengths = source.lengths, target.lengths
     vectors = PolarVectors.between(source.directions, target.directions, rotations, lengths).turned(turns)
@@ -93,7 +93,7 @@ class _Layout:
 
 
 def _layout(skeleton: Skeleton) -> _Layout:
-    children = {(b, a): piece for piece, (a, b) in enumerate(skeleton.gates) if piece != skeleton.root}
+    children = {(b, a): piece for piece, (a, b) in enumerate(skeleton.shared_edges) if piece != skeleton.root}
     count = len(skeleton.parents)
     outer, inner = np.full(count, -1, dtype=np.intp), np.full(count, -1, dtype=np.intp)
     spokes: list[tuple[int, ...]] = []
@@ -102,14 +102,14 @@ def _layout(skeleton: Skeleton) -> _Layout:
         starts.append(len(spokes))
         for before, row, after in zip((rows[-1], *rows[:-1]), rows, (*rows[1:], rows[0]), strict=True):
             spokes.append((piece, row, row, row, before, after))
-            gate = row, after
-            if gate == skeleton.gates[piece]:
+            edge = row, after
+            if edge == skeleton.shared_edges[piece]:
                 inner[piece] = len(spokes)
-            elif gate in children:
-                outer[children[gate]] = len(spokes)
+            elif edge in children:
+                outer[children[edge]] = len(spokes)
             else:
                 continue
-            spokes.append((piece, -1, *gate, *gate))
+            spokes.append((piece, -1, *edge, *edge))
     table = np.array(spokes, dtype=np.intp)
     return _Layout(
         table[:, 0], table[:, 1], table[:, 2:4], table[:, 4:], np.array(starts, dtype=np.intp), outer, inner

@@ -28,8 +28,8 @@ class Skeleton:
         All pieces, each behind its parent: the root first.
     parents : tuple of int
         For each piece the piece nearer to the root, -1 for the root.
-    gates : tuple of (int, int)
-        For each piece the rows of the edge shared with its parent, as the piece has them counter-clockwise;
+    shared_edges : tuple of (int, int)
+        For each piece the rows of the edge that it shares with its parent, as the piece has them counter-clockwise;
         (-1, -1) for the root.
 
     Examples
@@ -47,7 +47,7 @@ class Skeleton:
     root: int
     order: tuple[int, ...]
     parents: tuple[int, ...]
-    gates: tuple[Edge, ...]
+    shared_edges: tuple[Edge, ...]
 
     @property
     def mid_points(self) -> dict[int, int]:
@@ -66,8 +66,10 @@ class Skeleton:
 
     def points(self, rows: Floats, origins: Floats) -> Floats:
         """Give the (2 k - 1, 2) points of the skeleton, from the decomposition's rows and origins."""
-        gates = np.array([self.gates[piece] for piece in self.order[1:]], dtype=np.intp).reshape(-1, 2)
-        return np.concatenate([origins, rows[gates].mean(axis=1)])
+        shared_edges = np.array(
+            [self.shared_edges[piece] for piece in self.order[1:]], dtype=np.intp
+        ).reshape(-1, 2)
+        return np.concatenate([origins, rows[shared_edges].mean(axis=1)])
 
 
 def skeleton_of(decomposition: Decomposition, root: int | None = None) -> Skeleton:
@@ -95,7 +97,7 @@ def skeleton_of(decomposition: Decomposition, root: int | None = None) -> Skelet
     if root is None:
         sizes = _sizes(decomposition)
         root = max(range(len(neighbours)), key=lambda piece: (len(neighbours[piece]), sizes[piece]))
-    parents, gates = [-1] * len(neighbours), [(-1, -1)] * len(neighbours)
+    parents, shared_edges = [-1] * len(neighbours), [(-1, -1)] * len(neighbours)
     order, reached = [root], [root]
     while reached:
         widest: dict[int, tuple[int, Edge]] = {}
@@ -105,11 +107,11 @@ def skeleton_of(decomposition: Decomposition, root: int | None = None) -> Skelet
                     continue
                 if neighbour not in widest or lengths[b, a] > lengths[widest[neighbour][1]]:
                     widest[neighbour] = piece, (b, a)
-        for neighbour, (piece, gate) in widest.items():
-            parents[neighbour], gates[neighbour] = piece, gate
+        for neighbour, (piece, edge) in widest.items():
+            parents[neighbour], shared_edges[neighbour] = piece, edge
         reached = list(widest)
         order += reached
-    return Skeleton(decomposition, root, tuple(order), tuple(parents), tuple(gates))
+    return Skeleton(decomposition, root, tuple(order), tuple(parents), tuple(shared_edges))
 
 
 def _neighbours(decomposition: Decomposition, lengths: dict[Edge, float]) -> list[dict[int, Edge]]:

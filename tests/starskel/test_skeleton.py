@@ -34,7 +34,7 @@ def test_the_skeleton_is_a_tree_over_shared_edges_from_the_piece_with_most_neigh
     for at, piece in enumerate(skeleton.order[1:], start=1):
         parent = skeleton.parents[piece]
         assert skeleton.order.index(parent) < at
-        a, b = skeleton.gates[piece]
+        a, b = skeleton.shared_edges[piece]
         assert (a, b) in edges(pieces[piece])
         assert (b, a) in edges(pieces[parent])
     assert len(skeleton.arcs) == 2 * (count - 1)
@@ -56,7 +56,7 @@ def test_mid_points_halve_the_shared_edges(shape_pairs):
     skeleton = skeleton_of(decomposition)
     points = skeleton.points(decomposition.source, decomposition.source_origins)
     for piece, at in skeleton.mid_points.items():
-        a, b = skeleton.gates[piece]
+        a, b = skeleton.shared_edges[piece]
         np.testing.assert_allclose(points[at], (decomposition.source[a] + decomposition.source[b]) / 2)
 
 
