@@ -29,8 +29,8 @@ class Skeleton:
     parents : tuple of int
         For each piece the piece nearer to the root, -1 for the root.
     shared_edges : tuple of (int, int)
-        For each piece the rows of the edge that it shares with its parent, as the piece has them counter-clockwise;
-        (-1, -1) for the root.
+        For each piece the rows of the edge that it shares with its parent, as the piece has them
+        counter-clockwise; (-1, -1) for the root.
 
     Examples
     --------
