@@ -63,9 +63,11 @@ def regions_cross(rows: Floats, starts: tuple[int, ...]) -> Flags:
 def precedes(first: Floats, second: Floats) -> bool:
     """Tell whether the first of two (n, 2) rings precedes: that of fewer vertices, then smaller coordinates.
 
-    What is computed for a pair in this order is the same, to the bit, whichever of them is called the source.
+    What is computed for a pair in this order is the same, to the bit, whichever of them is called the source;
+    at which vertices the rings begin does not matter.
     """
     if len(first) != len(second):
         return len(first) < len(second)
-    unequal = np.flatnonzero(first.ravel() != second.ravel())
-    return bool(len(unequal) and first.flat[unequal[0]] < second.flat[unequal[0]])
+    one, other = (ring[np.lexsort(ring.T)].ravel() for ring in (first, second))
+    unequal = np.flatnonzero(one != other)
+    return bool(len(unequal) and one[unequal[0]] < other[unequal[0]])

@@ -11,8 +11,8 @@ from starskel.blending.meshes.fans import Fans, fans_of
 from starskel.blending.meshes.frame_mesh import FrameMesh
 from starskel.blending.meshes.improvement import with_better_hubs
 from starskel.blending.pieces import PieceBlend
+from starskel.decomposition.canonical import canonical
 from starskel.decomposition.pieces import Decomposition
-from starskel.outline import precedes
 from starskel.polar import as_points
 from starskel.skeleton import skeleton_of
 from starskel.task import UNWATCHED, Task
@@ -37,7 +37,7 @@ class FanBlend(PieceBlend):
 
     def __init__(self, decomposition: Decomposition, root: int | None = None, task: Task = UNWATCHED) -> None:
         super().__init__(decomposition, skeleton_of(decomposition, root))
-        self._backwards = precedes(decomposition.target, decomposition.source)
+        self._backwards = canonical(decomposition.pair).swapped
         forwards = decomposition.exchanged if self._backwards else decomposition
         self._pair = forwards.pair
         self._fans = with_better_hubs(fans_of(forwards, task), len(forwards.source), task)

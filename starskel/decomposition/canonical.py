@@ -61,14 +61,18 @@ class PairReading:
 
 
 def canonical(pair: Correspondence) -> PairReading:
-    """Give the reading whose vertices are far out first, in the first polygon above all."""
-    rings = [pair.source, pair.target]
+    """Give the reading whose vertices are far out first, in the first polygon above all.
+
+    Of regions with holes it is that of the outlines.
+    """
+    outline = slice(*pair.starts[1:2] or [None])
+    rings = [pair.source[outline], pair.target[outline]]
     radii, doubt = zip(*map(_radii, rings), strict=True)
     readings = [(swapped, mirrored) for swapped in (False, True) for mirrored in (False, True)]
     scores = np.array(
         [_scores(2 * radii[swapped] + radii[not swapped], mirrored) for swapped, mirrored in readings]
     )
-    ways, starts = np.nonzero(scores >= scores.max() - len(pair) * sum(doubt))
+    ways, starts = np.nonzero(scores >= scores.max() - len(rings[0]) * sum(doubt))
     best = [
         PairReading(*readings[way], start) for way, start in zip(ways.tolist(), starts.tolist(), strict=True)
     ]

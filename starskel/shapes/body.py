@@ -11,7 +11,7 @@ from starskel.blending.methods import blend_pair
 from starskel.blending.star_skeleton import StarSkeletonBlend
 from starskel.blending.vertex import VertexBlend
 from starskel.correspondence import Correspondence
-from starskel.outline import precedes
+from starskel.decomposition.canonical import canonical
 from starskel.polar import as_complex, as_points
 from starskel.shapes.correspondence import PartPair
 from starskel.shapes.holes.pieces import decompose_region
@@ -95,6 +95,8 @@ class Manner:
 def prepared(part: PartPair, manner: Manner, rotation: float, task: Task) -> Body:
     """Blend a part that turns by this rotation, whole turns included.
 
+    Of its two ends always the same is turned back, whichever is called the source.
+
     Raises
     ------
     StarskelError
@@ -103,15 +105,11 @@ def prepared(part: PartPair, manner: Manner, rotation: float, task: Task) -> Bod
         If the task is told to stop.
     """
     turning = part.alone or (abs(rotation) > MOST_TURN and manner.method != "vertex")
-    turned = _ends_turned(part.pair, rotation) if turning else (0.0, 0.0)
+    exchanged = turning and not part.alone and canonical(part.pair).swapped
+    turned = (-rotation, 0.0) if exchanged else (0.0, rotation if turning else 0.0)
     pair = _turned_back(part.pair, turned)
     made = VertexBlend(pair) if part.alone else _blend(pair, manner, task)
     return Body(part, made, turned)
-
-
-def _ends_turned(pair: Correspondence, rotation: float) -> tuple[float, float]:
-    """Give by how much to turn back either end: always the same shape, whichever is called the source."""
-    return (-rotation, 0.0) if precedes(pair.target, pair.source) else (0.0, rotation)
 
 
 def _turned_back(pair: Correspondence, turned: tuple[float, float]) -> Correspondence:

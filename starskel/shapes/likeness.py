@@ -6,7 +6,7 @@ import numpy as np
 
 from starskel.blending.frames import row_masses
 from starskel.correspondence import Correspondence
-from starskel.outline import precedes
+from starskel.decomposition.canonical import canonical
 from starskel.polar import as_complex
 
 
@@ -45,6 +45,6 @@ def similarity_of(pair: Correspondence, backwards: bool = False) -> Similarity:
 
 def rotation_of(pair: Correspondence) -> float:
     """Give by how much the source turns to lie on the target, in [-pi, pi]; exchanged, it turns back."""
-    if precedes(pair.target, pair.source):
+    if canonical(pair).swapped:
         return -float(np.angle(similarity_of(pair, backwards=True).factor))
     return float(np.angle(similarity_of(pair).factor))

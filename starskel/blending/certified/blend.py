@@ -10,12 +10,9 @@ from starskel.blending.certified.path import Way, path
 from starskel.blending.frames import Blend
 from starskel.blending.stitched import StitchedBlend
 from starskel.clearance import clearance
+from starskel.decomposition.canonical import canonical
 from starskel.decomposition.pieces import Decomposition
-from starskel.outline import edge_lengths, precedes, signed_areas
 from starskel.task import UNWATCHED, Task
-
-_EQUAL = 1e-9
-"""Areas and perimeters that differ by less, as a part of them, do not tell which shape comes first."""
 
 
 class CertifiedBlend(Blend):
@@ -52,7 +49,7 @@ class CertifiedBlend(Blend):
         self.decomposition = decomposition
         stitched = StitchedBlend(decomposition, root, task.part(0, 0.4))
         rest = task.part(0.4, 1)
-        if _comes_second(self.pair.source, self.pair.target):
+        if canonical(self.pair).swapped:
             keys, self.how = path(decomposition.exchanged, lambda ts: stitched.frames(1 - ts), rest)
             keys = [Key(1 - key.t, key.frame) for key in keys[::-1]]
         else:
@@ -72,12 +69,3 @@ class CertifiedBlend(Blend):
 
     def _frames(self, ts: Floats) -> Floats:
         return between(self.key_times, self.keys, ts)
-
-
-def _comes_second(source: Floats, target: Floats) -> bool:
-    """Tell whether the target comes first, in an order that moving, turning and scaling do not change."""
-    for measure in (signed_areas, lambda ring: edge_lengths(ring).sum()):
-        first, second = float(measure(source)), float(measure(target))
-        if abs(first - second) > _EQUAL * max(first, second):
-            return first > second
-    return precedes(target, source)

@@ -5,7 +5,7 @@ rings and rows. So they are sought in a pair that is read as `starskel.decomposi
 and their vertices that are far out come first, what is as far out is told apart by coordinates.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -39,7 +39,7 @@ class RegionReading:
     def of(cls, pair: Correspondence) -> "RegionReading":
         """Give the canonical reading."""
         outline, *holes = np.split(np.arange(len(pair)), pair.starts[1:])
-        reading = canonical(_ring(pair, outline))
+        reading = canonical(pair)
         first, second = reading.ordered(
             [_distances(rows, len(outline)) for rows in (pair.source, pair.target)]
         )
@@ -67,10 +67,6 @@ class RegionReading:
     def back(self, places: Floats) -> Floats:
         """Give (2, k, 2) places in the regions as they are read where they are in source and target."""
         return np.stack(self.outline.ordered([self.outline.placed(side) for side in places]))
-
-
-def _ring(pair: Correspondence, rows: Indices) -> Correspondence:
-    return replace(pair, source=pair.source[rows], target=pair.target[rows], starts=(0,))
 
 
 def _distances(rows: Floats, outline: int) -> Floats:

@@ -24,6 +24,9 @@ BULGE = 0.1
 HALVINGS = 20
 """How often that is halved until there is room."""
 
+DIGITS = 9
+"""Lengths that agree to so many digits count as equal."""
+
 _STARTS, _ENDS = slice(-1), slice(1, None)
 
 Bridge = tuple[int, int]
@@ -98,8 +101,12 @@ def _bent(region: Region, ways: Sequence[Complex], counts: Sequence[int], task: 
 
 
 def _bulging(region: Region, way: Complex, others: Sequence[Complex]) -> Complex | None:
-    """Bend the longest link of a way to the left, as little as there is room for: its points in no line."""
-    link = int(np.abs(np.diff(way)).argmax())
+    """Bend the longest link of a way to the left, as little as there is room for: its points in no line.
+
+    The two links beside a bend are equally long: rounding must not choose.
+    """
+    lengths = np.abs(np.diff(way))
+    link = int((lengths / lengths.max()).round(DIGITS).argmax())
     start, end = way[link], way[link + 1]
     for halving in range(HALVINGS):
         bend = (start + end) / 2 + 1j * BULGE / 2**halving * (end - start)

@@ -2,6 +2,7 @@
 
 import operator
 from collections.abc import Iterable, Sequence
+from math import remainder, tau
 
 import numpy as np
 import shapely
@@ -79,8 +80,9 @@ def turn_between(source: Shape, target: Shape, pairing: Iterable[RingLink]) -> f
 
     def cost(turn: float) -> tuple[float, float]:
         own = _costs(*_turned(first, second, turn))
-        price = TURNING_PRICE * len(links) * abs(turn) / np.pi
-        return round(float(own.sum()) + price, 9), abs(round(turn, 9))
+        least = abs(remainder(turn, tau))
+        price = TURNING_PRICE * len(links) * least / np.pi
+        return round(float(own.sum()) + price, 9), round(least, 9)
 
     turn = float(min(TURNS.tolist(), key=cost))
     for halvings in range(1, REFINEMENTS + 1):

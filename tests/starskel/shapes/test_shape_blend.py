@@ -9,7 +9,7 @@ import shapely
 import starskel
 from starskel import METHODS, Shape, StarskelError
 from starskel.decomposition.verify import faults
-from tests.starskel.shapes.drawn import BAR, COLON, EIGHT, FACE, LETTERS, A, B, I, O, ellipse, moved
+from tests.starskel.shapes.drawn import BAR, COLON, EIGHT, FACE, LETTERS, A, B, I, O, Q, R, ellipse, moved
 from tests.starskel.shapes.regions import holed_pair
 
 TURNING = tuple(method for method in METHODS if method not in ("vertex", "certified"))
@@ -98,8 +98,17 @@ def test_a_moved_and_turned_copy_moves_rigidly(rings, angle, method):
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("name", ["A-R", "B-8", "i-j", "A-T", "T-8", "T-i"])
 def test_exchanged_shapes_blend_backwards(name, method):
-    source, target = LETTERS[name]
-    there = blend_of(name, method)
+    assert_backwards(blend_of(name, method), *LETTERS[name], method)
+
+
+@pytest.mark.parametrize(
+    ("source", "target"), [(B, Q), (R, B)], ids=["turned-by-nearly-half", "first-at-other-vertices"]
+)
+def test_exchanged_shapes_blend_backwards_where_both_begin_at_other_vertices(source, target):
+    assert_backwards(starskel.blend(Shape(source), Shape(target)), source, target, "stitched")
+
+
+def assert_backwards(there, source, target, method):
     back = starskel.blend(Shape(target), Shape(source), method=method)
     ways = {link[::-1]: ring for link, ring in zip(back.pair.pairing, back.at(0.7), strict=True)}
     again = [ways[link] for link in there.pair.pairing]
