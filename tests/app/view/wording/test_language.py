@@ -22,10 +22,10 @@ from starskel.errors import InvalidFile, StarskelError, either, told
 from starskel.files.examples import resource_folder
 from starskel.polygon import Polygon
 from tests.app.driver import Driver
-from tests.app.view.test_verdicts import STILL
+from tests.app.view.wording.test_verdicts import STILL
 
 FOLDER = resource_folder() / "translations"
-SCRIPT = Path(__file__).parents[3] / ".ci" / "translations.py"
+SCRIPT = Path(__file__).parents[4] / ".ci" / "translations.py"
 NAMES = re.compile(r"\{[^}]*\}|%n|\(\*[^)]*\)")
 
 

@@ -24,7 +24,7 @@ FONT = next(Path("/usr/share/fonts").rglob("DejaVuSans.ttf"), Path("no font"))
 
 needs_font = pytest.mark.skipif(not FONT.exists(), reason="DejaVu Sans is not installed")
 
-ICONS = Path(__file__).parents[2] / "files" / "icons"
+ICONS = Path(__file__).parents[3] / "files" / "icons"
 
 THREE = """<svg xmlns="http://www.w3.org/2000/svg" width="90" height="90">
 <rect id="box" width="40" height="20"/><circle id="sun" cx="60" cy="60" r="20"/>
