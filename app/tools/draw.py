@@ -27,7 +27,7 @@ class DrawTool(Tool):
 
     name: ClassVar[str] = "draw"
     hint: ClassVar[str] = QT_TRANSLATE_NOOP(
-        "Hint", "Click to set the first vertex. A part that is worked on makes way for the new one."
+        "Hint", "Click to set the first vertex. The new shape takes the place of the one that is worked on."
     )
 
     def press(self, context: ToolContext, pointer: Pointer) -> Response:

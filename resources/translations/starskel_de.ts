@@ -2497,8 +2497,8 @@
         <translation>Den letzten Schritt oben in den Optionen anpassen oder weiterarbeiten.</translation>
     </message>
     <message>
-        <source>Click to set the first vertex. A part that is worked on makes way for the new one.</source>
-        <translation>Klicken setzt den ersten Eckpunkt. Ein Teil, der bearbeitet wird, macht dem neuen Platz.</translation>
+        <source>Click to set the first vertex. The new shape takes the place of the one that is worked on.</source>
+        <translation>Klicken setzt den ersten Eckpunkt. Die neue Form tritt an die Stelle der bearbeiteten.</translation>
     </message>
     <message>
         <source>Click adds a vertex; the first vertex or Enter closes. Backspace takes one back, Esc cancels.</source>
@@ -2883,6 +2883,33 @@
     <message>
         <source>certified</source>
         <translation>zertifiziert</translation>
+    </message>
+</context>
+<context>
+    <name>MethodTip</name>
+    <message>
+        <source>Turns and stretches all pieces evenly; seldom crosses itself.</source>
+        <translation>Dreht und dehnt alle Stücke gleichmäßig, schneidet sich selten.</translation>
+    </message>
+    <message>
+        <source>Proven not to cross itself at any t; takes longer.</source>
+        <translation>Bewiesen ohne Selbstschnitt für jedes t, dauert länger.</translation>
+    </message>
+    <message>
+        <source>Keeps the inside as rigid as possible, triangle by triangle.</source>
+        <translation>Hält das Innere so starr wie möglich, Dreieck für Dreieck.</translation>
+    </message>
+    <message>
+        <source>Unfolds star-shaped pieces along a skeleton that bends.</source>
+        <translation>Entfaltet sternförmige Stücke entlang eines Skeletts, das sich biegt.</translation>
+    </message>
+    <message>
+        <source>Changes lengths of edges and the angles between them evenly.</source>
+        <translation>Ändert Längen von Kanten und die Winkel dazwischen gleichmäßig.</translation>
+    </message>
+    <message>
+        <source>Moves every vertex on a straight line.</source>
+        <translation>Bewegt jeden Eckpunkt auf einer geraden Linie.</translation>
     </message>
 </context>
 <context>
@@ -3850,6 +3877,10 @@
     <message>
         <source>parts overlap</source>
         <translation>Teile überlappen</translation>
+    </message>
+    <message>
+        <source>proven simple, area {area}</source>
+        <translation>bewiesen kreuzungsfrei, Fläche {area}</translation>
     </message>
     <message>
         <source>simple, area {area}</source>

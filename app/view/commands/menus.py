@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import QCoreApplication, QSize, Qt
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtGui import QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QToolButton, QWidget
 
 from app.view.commands.actions import Actions, say
@@ -82,18 +82,32 @@ def tool_palette(actions: Actions) -> QToolBar:
     return bar
 
 
+class SwitchMenu(QMenu):
+    """A menu of switches, which stays open while they are clicked one after another."""
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        action = self.actionAt(event.position().toPoint())
+        if action is not None and action.isCheckable() and action.isEnabled():
+            action.trigger()
+        else:
+            super().mouseReleaseEvent(event)
+
+
 def layers_menu(parent: QWidget, actions: Actions, names: Sequence[str]) -> QMenu:
     """Give a menu of the switches of what is shown."""
-    menu = QMenu(translate("Menus", "Sh&ow"), parent)
+    menu = SwitchMenu(translate("Menus", "Sh&ow"), parent)
     menu.addActions([actions[name] for name in names])
     return menu
 
 
 def methods_menu(parent: QWidget) -> QMenu:
     """Give a menu of switches for the methods; each action's data is the method's name."""
-    menu = QMenu(translate("Menus", "&Methods"), parent)
+    menu = SwitchMenu(translate("Menus", "&Methods"), parent)
+    menu.setToolTipsVisible(True)
     for method in COMPARED:
         action = menu.addAction(words.method(method))
+        action.setToolTip(words.method_tip(method))
+        action.setStatusTip(words.method_tip(method))
         action.setCheckable(True)
         action.setData(method)
     return menu

@@ -35,6 +35,7 @@ class Panel(QWidget):
         font = self._name.font()
         font.setBold(True)
         self._name.setFont(font)
+        self._name.setToolTip(words.method_tip(method))
         self.verdict = FittingLabel()  # whole in its tip
         self.verdict.setObjectName(f"{method}-verdict")
         self.verdict.setAccessibleName(self.tr("Verdict on {method}").format(method=words.method(method)))

@@ -35,7 +35,9 @@ def summaries(report: "AnyReport") -> tuple[str, ...]:
             translate("Verdict", "parts overlap"),
         )
     if kind == "simple":
+        proven = (translate("Verdict", "proven simple, area {area}").format(area=area),)
         return (
+            *(proven if report.proven else ()),
             translate("Verdict", "simple, area {area}").format(area=area),
             translate("Verdict", "simple"),
         )

@@ -67,6 +67,18 @@ def method(name: str) -> str:
     return translate("Method", name)
 
 
+def method_tip(name: str) -> str:
+    """Say in a sentence what a blending method does."""
+    return {
+        "stitched": translate("MethodTip", "Turns and stretches all pieces evenly; seldom crosses itself."),
+        "certified": translate("MethodTip", "Proven not to cross itself at any t; takes longer."),
+        "rigid": translate("MethodTip", "Keeps the inside as rigid as possible, triangle by triangle."),
+        "star-skeleton": translate("MethodTip", "Unfolds star-shaped pieces along a skeleton that bends."),
+        "edge-angle": translate("MethodTip", "Changes lengths of edges and the angles between them evenly."),
+        "vertex": translate("MethodTip", "Moves every vertex on a straight line."),
+    }[name]
+
+
 def step_letters(step: int) -> str:
     """Give a step by the letters of its shapes."""
     return f"{letter(step)} \N{RIGHTWARDS ARROW} {letter(step + 1)}"

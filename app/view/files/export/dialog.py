@@ -60,6 +60,8 @@ class ExportDialog(QDialog):
         self._method = QComboBox()
         for result in shown.results:
             self._method.addItem(words.method(result.method), result.method)
+            tip = words.method_tip(result.method)
+            self._method.setItemData(self._method.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
         self._frames = QSpinBox()
         self._frames.setRange(2, 240)
         self._frames.setValue(6)

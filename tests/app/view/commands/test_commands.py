@@ -2,13 +2,15 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from app.view.commands.finder import Finder, matches
 from app.view.commands.shortcuts import ShortcutsDialog, apply_shortcuts, changed_shortcuts
+from app.view.main_window import MainWindow
+from app.view.wording import words
 from tests.app.driver import CONTROL, LEFT, SHIFT, Driver
 
 
@@ -110,3 +112,15 @@ def test_the_usual_shortcuts_come_back(driver: Driver) -> None:
     in_shortcuts(driver, change)
     assert changed_shortcuts() == {}
     assert driver.window.actions_table["pieces"].shortcut() == QKeySequence("Ctrl+1")
+
+
+def test_a_menu_of_switches_stays_open_while_they_are_clicked(window: MainWindow) -> None:
+    menu = window._methods
+    menu.popup(window.mapToGlobal(QPoint(50, 50)))
+    for action in menu.actions():
+        was, place = action.isChecked(), menu.actionGeometry(action).center()
+        QTest.mouseClick(menu, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, place)
+        assert action.isChecked() is not was or sum(each.isChecked() for each in menu.actions()) == 1
+        assert menu.isVisible()
+        assert action.toolTip() == words.method_tip(action.data())
+    menu.close()

@@ -151,7 +151,7 @@ def test_a_window_in_german(request: pytest.FixtureRequest) -> None:
     assert window.actions_table["draw"].statusTip() == "Eine Form Eckpunkt für Eckpunkt zeichnen"
     assert COUNTS.vertices(1) == "1 Eckpunkt"
     assert COUNTS.vertices(3) == "3 Eckpunkte"
-    assert summaries(STILL)[0] == "kreuzungsfrei, Fläche 0,0 %"
+    assert summaries(STILL)[0] == "bewiesen kreuzungsfrei, Fläche 0,0 %"
 
 
 @pytest.mark.usefixtures("german")
