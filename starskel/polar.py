@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from starskel.arrays import Complex, Floats, ReadOnlyArrays
+from starskel.predicates import NEAR
 
 
 def as_complex(points: Floats) -> Complex:
@@ -15,6 +16,12 @@ def as_complex(points: Floats) -> Complex:
 def as_points(numbers: Complex) -> Floats:
     """Give (...) complex numbers as (..., 2) points."""
     return np.stack([numbers.real, numbers.imag], axis=-1)
+
+
+def turn_of(factor: complex) -> float:
+    """Give the angle of a rotation, in [-pi, pi]; half a turn always goes counter-clockwise."""
+    turn = float(np.angle(factor))
+    return turn + 2 * np.pi if turn < NEAR - np.pi else turn
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +44,12 @@ class PolarVectors(ReadOnlyArrays):
 
     @classmethod
     def between(
-        cls, source: Complex, target: Complex, rotations: Floats, lengths: tuple[Floats, Floats] | None = None
+        cls,
+        source: Complex,
+        target: Complex,
+        rotations: Floats,
+        lengths: tuple[Floats, Floats] | None = None,
+        left: bool = True,
     ) -> "PolarVectors":
         """Give the vectors that turn by about these rotations.
 
@@ -52,13 +64,16 @@ class PolarVectors(ReadOnlyArrays):
             By how much each turns, up to less than half a turn.
         lengths : two (m,) arrays, optional
             The lengths, where they are not those of the vectors given.
+        left : bool
+            Whether they go counter-clockwise where that mean is half a turn, which could be either way.
         """
         angles = np.angle(source)
         exact = np.angle(target) - angles
         turned = exact + 2 * np.pi * np.round((rotations - exact) / (2 * np.pi))
         start, end = (np.abs(source), np.abs(target)) if lengths is None else lengths
         weights = start / start.sum() + end / end.sum()
-        turns = np.round((weights @ turned) / weights.sum() / (2 * np.pi))
+        mean = (weights @ turned) / weights.sum() / (2 * np.pi)
+        turns = np.round(mean - NEAR if left else mean + NEAR)
         return cls(start, end, angles, turned - 2 * np.pi * turns)
 
     def turned(self, turns: int) -> "PolarVectors":

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from starskel.arrays import Complex, Flags, Floats, read_only
 from starskel.blending.frames import Blend, checked_times, placed, with_exact_ends
 from starskel.correspondence import Correspondence
+from starskel.decomposition.canonical import canonical
 from starskel.outline import edge_lengths, edge_vectors, turning_angles
 from starskel.polar import PolarVectors, as_complex, as_points
 from starskel.predicates import ROUNDING
@@ -76,7 +77,7 @@ def _turning_edges(pair: Correspondence) -> PolarVectors:
     source, target = (as_complex(edge_vectors(ring)) for ring in (pair.source, pair.target))
     bends = turning_angles(pair.target) - turning_angles(pair.source)
     bends[0] = np.angle(target[0] / source[0])
-    return PolarVectors.between(source, target, np.cumsum(bends))
+    return PolarVectors.between(source, target, np.cumsum(bends), left=not canonical(pair).swapped)
 
 
 def _softness(source: Floats, target: Floats) -> Floats:

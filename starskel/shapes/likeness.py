@@ -7,7 +7,7 @@ import numpy as np
 from starskel.blending.frames import row_masses
 from starskel.correspondence import Correspondence
 from starskel.decomposition.canonical import canonical
-from starskel.polar import as_complex
+from starskel.polar import as_complex, turn_of
 
 
 @dataclass(frozen=True)
@@ -46,5 +46,5 @@ def similarity_of(pair: Correspondence, backwards: bool = False) -> Similarity:
 def rotation_of(pair: Correspondence) -> float:
     """Give by how much the source turns to lie on the target, in [-pi, pi]; exchanged, it turns back."""
     if canonical(pair).swapped:
-        return -float(np.angle(similarity_of(pair, backwards=True).factor))
-    return float(np.angle(similarity_of(pair).factor))
+        return -turn_of(similarity_of(pair, backwards=True).factor)
+    return turn_of(similarity_of(pair).factor)

@@ -18,6 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from starskel.arrays import Complex, Floats, Indices
+from starskel.decomposition.canonical import canonical
 from starskel.polar import PolarVectors, as_complex
 from starskel.predicates import ROUNDING
 from starskel.skeleton import Skeleton
@@ -58,8 +59,9 @@ def spokes_of(skeleton: Skeleton, turns: int = 0) -> Spokes:
     target = _side(layout, pieces.target, pieces.target_origins)
     rotations = _rotations(skeleton, layout, source, target)
     lengths = source.lengths, target.lengths
-    vectors = PolarVectors.between(source.directions, target.directions, rotations, lengths).turned(turns)
-    return Spokes(layout.pieces, layout.rows, layout.outer, layout.inner, vectors)
+    left = not canonical(skeleton.decomposition.pair).swapped
+    vectors = PolarVectors.between(source.directions, target.directions, rotations, lengths, left)
+    return Spokes(layout.pieces, layout.rows, layout.outer, layout.inner, vectors.turned(turns))
 
 
 @dataclass(frozen=True, eq=False)

@@ -26,7 +26,7 @@ from starskel.blending.meshes.fans import Fans, fans_of
 from starskel.correspondence import Correspondence
 from starskel.decomposition import decompose_quickly
 from starskel.errors import Cancelled, StarskelError
-from starskel.polar import as_complex, as_points
+from starskel.polar import as_complex, as_points, turn_of
 from starskel.shapes.certified.joint_rings import JointRings
 from starskel.shapes.holes.bridges import chain_of, halves
 from starskel.task import Task
@@ -39,9 +39,6 @@ LINKS = (32, 32)
 
 _Part = tuple[Indices, Fans]
 """A simple polygon, as the rows of its outline, and its fans."""
-
-HALF_ROUND = 1e-6
-"""Turns that are less than this short of half a turn go counter-clockwise, either way."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,9 +125,8 @@ def _surroundings(
 
 
 def _turn(before: Complex, after: Complex) -> float:
-    """Give by how much points turn as a whole; of half a turn rounding must not decide which way."""
-    turn = float(np.angle(np.vdot(before - before.mean(), after - after.mean())))
-    return turn + 2 * np.pi if turn < HALF_ROUND - np.pi else turn
+    """Give by how much points turn as a whole."""
+    return turn_of(complex(np.vdot(before - before.mean(), after - after.mean())))
 
 
 def _place(points: Complex, turn: float) -> SquareMap:

@@ -150,6 +150,24 @@ def test_exchanging_source_and_target_runs_the_frames_backwards(name, method):
     )
 
 
+@pytest.mark.parametrize("method", ["edge-angle", "star-skeleton", "stitched", "rigid"])
+def test_half_a_turn_goes_the_same_way_wherever_and_however_large_shapes_are(method):
+    ring = two_opt(9, 1)
+    marks = [(k, k) for k in range(9)]
+
+    def middle(scale, x, y):
+        move = np.array([x, y]) * scale
+        made = starskel.blend(ring * scale + move, -ring * scale + move, marks, method)
+        return (made.at(0.5) - move) / scale
+
+    expected = middle(1.0, 0.0, 0.0)
+    for scale in (1e6, 1e-6, 0.3, 7.0):
+        for x, y in ((0, 0), (31, -7), (-0.9, 55)):
+            np.testing.assert_allclose(middle(scale, x, y), expected, atol=1e-7)
+    back = starskel.blend(-ring, ring, marks, method)
+    np.testing.assert_allclose(back.at(0.5), expected, atol=1e-7)
+
+
 def test_the_methods_are_those_that_the_package_names():
     assert starskel.METHODS is METHODS
     for method in METHODS:
