@@ -58,6 +58,31 @@ class MainWindow(QMainWindow):
         self.player = Player(self)
         self.display = Display(self)
         self.canvases: dict[Side, Canvas] = {side: Canvas(session, side, self.display) for side in SIDES}
+        self._make_commands(session)
+        self.sequence = SequenceBar(session, self.player, self.sequencing, self.actions_table)
+        self.panels = Panels(session, self.player, self.display)
+        self.timeline = Timeline(session, self.player, self.actions_table)
+        self._make_bars(session)
+        self.beginning = Beginning(self.actions_table)
+        self.setCentralWidget(self._body())
+        self._make_docks(session)
+        self.help.begin(self.actions_table)
+        self.actions_table[f"language-{language.chosen()}"].setChecked(True)
+        self._take_drops()
+        self.setStatusBar(self._status())
+        self.resize(SIZE.boundedTo(self.screen().availableSize() - FRAME))
+        self.canvases["source"].setFocus()
+        session.document_changed.connect(self._follow)
+        session.changed.connect(self._follow_selection)
+        session.tool_changed.connect(self._follow_tool)
+        self.watching.begin(self.actions_table)
+        for follow in (self._follow, self._follow_selection, self._follow_tool, self._follow_theme):
+            follow()
+
+    # parts
+
+    def _make_commands(self, session: Session) -> None:
+        """Make what the commands are handled by, and the commands."""
         self.importing = Importing(self, session, self.canvases)
         self.files = Files(self, session, self.player, self.display, self.importing)
         self.recovering = Recovering(self, session, self.files)
@@ -68,9 +93,9 @@ class MainWindow(QMainWindow):
         self.watching = Watching(self, session, self.player, self.display, self.canvases)
         self.help = Help(self)
         self.actions_table = Actions(self, self._handlers())
-        self.sequence = SequenceBar(session, self.player, self.sequencing, self.actions_table)
-        self.panels = Panels(session, self.player, self.display)
-        self.timeline = Timeline(session, self.player, self.actions_table)
+
+    def _make_bars(self, session: Session) -> None:
+        """Make menus and toolbars."""
         self._examples, self.recent = ExamplesMenu(self), RecentMenu(self)
         self._methods = methods_menu(self)
         layers = layers_menu(self, self.actions_table, LAYERS)
@@ -87,8 +112,12 @@ class MainWindow(QMainWindow):
         self.addToolBar(self.options)
         self.options.left.connect(self._focus_canvas)
         self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, tool_palette(self.actions_table))
-        self.beginning = Beginning(self.actions_table)
-        self.setCentralWidget(self._body())
+        self._examples.chosen.connect(self.files.open_example)
+        self.recent.chosen.connect(self.files.open_recent)
+        self._methods.triggered.connect(self._compare)
+
+    def _make_docks(self, session: Session) -> None:
+        """Make the lists at the side."""
         self.marks = MarksPanel(session)
         self.parts = PartsPanel(session, self.partnering, self.actions_table)
         self.history = HistoryList(session)
@@ -98,21 +127,6 @@ class MainWindow(QMainWindow):
             "history": self._dock(self.history, self.tr("History"), "history"),
         }
         self.partnering.wanted.connect(self._docks["parts"].show)
-        self.help.begin(self.actions_table)
-        self.actions_table[f"language-{language.chosen()}"].setChecked(True)
-        self._take_drops()
-        self.setStatusBar(self._status())
-        self.resize(SIZE.boundedTo(self.screen().availableSize() - FRAME))
-        self.canvases["source"].setFocus()
-        self._examples.chosen.connect(self.files.open_example)
-        self.recent.chosen.connect(self.files.open_recent)
-        self._methods.triggered.connect(self._compare)
-        session.document_changed.connect(self._follow)
-        session.changed.connect(self._follow_selection)
-        session.tool_changed.connect(self._follow_tool)
-        self.watching.begin(self.actions_table)
-        for follow in (self._follow, self._follow_selection, self._follow_tool, self._follow_theme):
-            follow()
 
     # layout
 

@@ -1,5 +1,7 @@
 """What to export: keyframes, pages, a sheet of all methods, what moves, or coordinates."""
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Qt, Slot
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -55,13 +57,10 @@ class ExportDialog(QDialog):
         self.setWindowTitle(f"{title}: {shown.name}" if shown.name else title)
         self._layout_field = QComboBox()
         self._pictured = shown.pictures != (None, None)
-        for layout, text in _LAYOUTS if self._pictured else (each for each in _LAYOUTS if each[0] != "morph"):
-            self._layout_field.addItem(QCoreApplication.translate("ExportDialog", str(text)), layout)
-        self._method = QComboBox()
-        for result in shown.results:
-            self._method.addItem(words.method(result.method), result.method)
-            tip = words.method_tip(result.method)
-            self._method.setItemData(self._method.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
+        for layout, text in _LAYOUTS:
+            if self._pictured or layout != "morph":
+                self._layout_field.addItem(QCoreApplication.translate("ExportDialog", str(text)), layout)
+        self._method = _method_field([result.method for result in shown.results])
         self._frames = QSpinBox()
         self._frames.setRange(2, 240)
         self._frames.setValue(6)
@@ -80,12 +79,7 @@ class ExportDialog(QDialog):
         self._eased.setChecked(whole or not player.easing.even)
         self._overlays = OverlayFields(display.layers, pictured=self._pictured)
         self._look = LookFields()
-        self._pixels = QSpinBox()
-        self._pixels.setRange(SMALLEST, LARGEST)
-        self._pixels.setSingleStep(16)
-        self._pixels.setSuffix(self.tr(" px"))
-        self._pixels.setSpecialValueText(self.tr("usual"))
-        self._pixels.setToolTip(self.tr("The longer side, of formats that are made of pixels"))
+        self._pixels = self._pixels_field()
         self._formats = Label()
         self._formats.setWordWrap(True)
         self._arrange()
@@ -93,6 +87,15 @@ class ExportDialog(QDialog):
         self._whole.toggled.connect(self._follow)
         self._times.textChanged.connect(self._follow)
         self._follow()
+
+    def _pixels_field(self) -> QSpinBox:
+        field = QSpinBox()
+        field.setRange(SMALLEST, LARGEST)
+        field.setSingleStep(16)
+        field.setSuffix(self.tr(" px"))
+        field.setSpecialValueText(self.tr("usual"))
+        field.setToolTip(self.tr("The longer side, of formats that are made of pixels"))
+        return field
 
     @property
     def choice(self) -> Choice:
@@ -127,26 +130,7 @@ class ExportDialog(QDialog):
         self._overlays.begin_with(former.shown)
 
     def _arrange(self) -> None:
-        form = QFormLayout()
-        self._labels: dict[QWidget, QWidget] = {}
-        form.setVerticalSpacing(8)
-        for label, field in (
-            (self.tr("&What"), self._layout_field),
-            ("", self._whole),
-            (self.tr("&Method"), self._method),
-            (self.tr("&Keyframes"), self._frames),
-            (self.tr("At t&hese times"), self._times),
-            ("", self._eased),
-            (self.tr("&Time t"), self._t),
-            *self._motion.rows,
-            (self.tr("Pi&xels"), self._pixels),
-        ):
-            form.addRow(label, field)
-            if label and (caption := form.labelForField(field)) is not None:
-                self._labels[field] = caption
-            field.setAccessibleName(label.replace("&", "") or field.accessibleName())
-        for box in (self._whole, self._eased):
-            box.setAccessibleName(box.text())
+        form = self._form()
         kind = QDialogButtonBox.StandardButton
         buttons = self._buttons = QDialogButtonBox(kind.Save | kind.Cancel)
         buttons.button(kind.Save).setText(self.tr("&Export…"))
@@ -168,6 +152,30 @@ class ExportDialog(QDialog):
         layout.addWidget(self._formats)
         layout.addStretch()
         layout.addWidget(buttons)
+
+    def _form(self) -> QFormLayout:
+        """Give the fields that say what is exported, a row each."""
+        form = QFormLayout()
+        self._labels: dict[QWidget, QWidget] = {}
+        form.setVerticalSpacing(8)
+        for label, field in (
+            (self.tr("&What"), self._layout_field),
+            ("", self._whole),
+            (self.tr("&Method"), self._method),
+            (self.tr("&Keyframes"), self._frames),
+            (self.tr("At t&hese times"), self._times),
+            ("", self._eased),
+            (self.tr("&Time t"), self._t),
+            *self._motion.rows,
+            (self.tr("Pi&xels"), self._pixels),
+        ):
+            form.addRow(label, field)
+            if label and (caption := form.labelForField(field)) is not None:
+                self._labels[field] = caption
+            field.setAccessibleName(label.replace("&", "") or field.accessibleName())
+        for box in (self._whole, self._eased):
+            box.setAccessibleName(box.text())
+        return form
 
     @Slot()
     def _follow(self) -> None:
@@ -193,3 +201,11 @@ class ExportDialog(QDialog):
             return
         names = ", ".join(str(words.retold(each.name)) for each in FORMATS[layout])
         self._formats.setText(self.tr("Can be written as {names}").format(names=names))
+
+
+def _method_field(methods: Sequence[str]) -> QComboBox:
+    field = QComboBox()
+    for number, method in enumerate(methods):
+        field.addItem(words.method(method), method)
+        field.setItemData(number, words.method_tip(method), Qt.ItemDataRole.ToolTipRole)
+    return field
