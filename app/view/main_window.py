@@ -82,7 +82,7 @@ class MainWindow(QMainWindow):
     # parts
 
     def _make_commands(self, session: Session) -> None:
-        """Make what the commands are handled by, and the commands."""
+        """Make what handles the commands, and the commands."""
         self.importing = Importing(self, session, self.canvases)
         self.files = Files(self, session, self.player, self.display, self.importing)
         self.recovering = Recovering(self, session, self.files)
