@@ -95,11 +95,10 @@ def _subpaths(path: svgelements.Path) -> Iterator[list[_Segment]]:
             drawn = []
         if isinstance(segment, svgelements.Move) or segment.start is None or segment.end is None:
             continue
-        if not (
-            isinstance(segment, svgelements.Close) and segment.start == segment.end
-        ):  # no vertex of its own
+        closes = isinstance(segment, svgelements.Close)
+        if not closes or segment.start != segment.end:  # else it has no vertex of its own
             drawn.append(_segment(segment))
-        if drawn and isinstance(segment, svgelements.Close):
+        if drawn and closes:
             yield drawn
             drawn = []
     if drawn:
