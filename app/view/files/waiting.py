@@ -3,6 +3,7 @@
 from typing import Any
 
 from PySide6.QtCore import QEventLoop, Qt, QTimer, Slot
+from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QProgressBar, QVBoxLayout, QWidget
 
 from app.compute.errands import Errands, Outcome, Work
@@ -37,6 +38,9 @@ class Waiting(QDialog):
         self._bar.setRange(0, 0)  # moves to and fro until something is reported
         self._bar.setAccessibleName(self.tr("Progress"))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        button = buttons.button(QDialogButtonBox.StandardButton.Cancel)
+        button.setIcon(QIcon())
+        button.setAutoDefault(False)  # Enter, pressed once too often before, gives nothing up
         buttons.rejected.connect(self.reject)
         buttons.setVisible(stoppable)
         self._stoppable = stoppable

@@ -39,6 +39,7 @@ class Exporting:
         self._player = player
         self._display = display
         self._choice: Choice | None = None
+        self._endings: dict[str, str] = {}  # in which format each layout was written last
 
     def export(self, name: str) -> Path | None:
         """Ask, write, and give where; None where nothing was written.
@@ -53,10 +54,12 @@ class Exporting:
         choice = self._chosen(shown, whole=bool(whole))
         if choice is None:
             return None
-        endings = tuple(each.ending for each in FORMATS[choice.layout])
+        last = self._endings.get(choice.layout)
+        endings = sorted((each.ending for each in FORMATS[choice.layout]), key=lambda ending: ending != last)
         path = path_to_save(self._window, translate("Files", "Export"), name, endings)
         if path is None or not _may_write(self._window, path, choice):
             return None
+        self._endings[choice.layout] = path.suffix
         film, chosen = document.name or name, whole if choice.whole else (shown,)
         return self._written(path, lambda task: write_choice(path, film, choice, chosen, task))
 

@@ -47,6 +47,22 @@ def test_keyframes_are_exported_through_the_dialogs(driver: Driver, tmp_path: Pa
         assert name in driver.window.statusBar().currentMessage()
 
 
+def test_the_format_that_was_chosen_last_is_offered_first(driver: Driver, tmp_path: Path) -> None:
+    driver.draw_both()
+    driver.wait_for_blends()
+    driver.in_dialog(_exporting(driver, 4, tmp_path / "one.gif"))
+    driver.key(Qt.Key.Key_E, CONTROL)
+    offered: list[str] = []
+
+    def look(dialog: QWidget) -> None:
+        assert isinstance(dialog, QFileDialog)
+        offered.extend((Path(dialog.selectedFiles()[0]).suffix, dialog.selectedNameFilter()))
+        dialog.reject()
+
+    _export(driver, "animation", look)
+    assert offered == [".gif", "GIF (*.gif)"]
+
+
 def test_keyframes_are_exported_as_far_apart_as_they_are_played(driver: Driver, tmp_path: Path) -> None:
     driver.draw_both()
     driver.wait_for_blends()
@@ -86,6 +102,8 @@ def test_a_long_export_shows_how_far_it_is_and_can_be_given_up(driver: Driver, t
         bar = dialog.findChild(QProgressBar)
         assert bar is not None
         driver.wait(lambda: bar.value() > 12)
+        QTest.keyClick(dialog, Qt.Key.Key_Return)
+        assert dialog.isVisible(), "Enter gives nothing up"
         cancel = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Cancel)  # type: ignore[union-attr]
         QTest.mouseClick(cancel, Qt.MouseButton.LeftButton)
 
