@@ -32,7 +32,7 @@ class DrawTool(Tool):
 
     def press(self, context: ToolContext, pointer: Pointer) -> Response:
         at = begun_at(context, pointer).at
-        return Response(Drawing(pointer.side, (at,), Catch(at)))
+        return Response(PolygonBegun(pointer.side, (at,), Catch(at)))
 
     def move(self, context: ToolContext, pointer: Pointer) -> Response:
         return Response(DrawTool(pointer.side, begun_at(context, pointer)))
@@ -42,7 +42,7 @@ class DrawTool(Tool):
 
 
 @dataclass(frozen=True)
-class Drawing(Tool):
+class PolygonBegun(Tool):
     """A polygon begun.
 
     Attributes
@@ -113,7 +113,7 @@ class Drawing(Tool):
             return Overlay()
         return Overlay(path=(*self.points, self.at), closes=self.closes, catch=self.catch)
 
-    def _aimed(self, context: ToolContext, pointer: Pointer) -> "Drawing":
+    def _aimed(self, context: ToolContext, pointer: Pointer) -> "PolygonBegun":
         """Follow the pointer, caught by the first vertex where that would close a polygon."""
         closes = len(self.points) >= 3 and distance(self.points[0], pointer.at) <= pointer.radius
         if closes:

@@ -2,7 +2,7 @@ from dataclasses import replace
 
 from app.model.document import Document
 from app.model.selection import Selection
-from app.tools.draw import Drawing, DrawTool
+from app.tools.draw import DrawTool, PolygonBegun
 from app.tools.select import SelectTool
 from app.tools.tool import Key, Pointer, Response, Tool, ToolContext
 from starskel.polygon import Polygon
@@ -42,7 +42,7 @@ def test_a_shape_drawn_clockwise_is_turned_round() -> None:
 def test_a_crossing_edge_is_shown_and_not_stored() -> None:
     before = click(DrawTool(), (0, 0), (10, 0), (10, 10)).tool
     response = before.press(CONTEXT, at(5, -5))
-    assert isinstance(response.tool, Drawing)
+    assert isinstance(response.tool, PolygonBegun)
     assert response.tool.points == ((0, 0), (10, 0), (10, 10))
     assert response.refusal is not None
     assert response.refusal.segments == (((0, 0), (10, 0)), ((10, 10), (5, -5)))
@@ -55,13 +55,13 @@ def test_an_edge_that_folds_back_is_refused() -> None:
     response = click(DrawTool(), (0, 0), (10, 0), (5, 0))
     assert response.refusal is not None
     drawing = response.tool
-    assert isinstance(drawing, Drawing)
+    assert isinstance(drawing, PolygonBegun)
     assert drawing.key(CONTEXT, Key("backspace")).tool == replace(drawing, points=((0, 0),))
 
 
 def test_closing_over_another_edge_is_refused() -> None:
     tool = click(DrawTool(), (0, 0), (10, 0), (10, 10), (5, 10), (5, -5), (0, -5)).tool
-    assert isinstance(tool, Drawing)
+    assert isinstance(tool, PolygonBegun)
     zigzag = click(DrawTool(), (0, 0), (4, 4), (4, -4), (6, -4), (6, 4), (10, 0))
     closing = zigzag.tool.press(CONTEXT, at(0, 0))
     assert closing.commit is None
@@ -80,7 +80,7 @@ def test_enter_on_two_vertices_is_refused() -> None:
 
 def test_backspace_takes_vertices_back_one_by_one() -> None:
     tool = click(DrawTool(), (0, 0), (10, 0)).tool.key(CONTEXT, Key("backspace")).tool
-    assert isinstance(tool, Drawing)
+    assert isinstance(tool, PolygonBegun)
     assert tool.points == ((0, 0),)
     assert tool.key(CONTEXT, Key("backspace")).tool == DrawTool()
 
@@ -91,7 +91,7 @@ def test_cancel_forgets_the_path() -> None:
 
 def test_the_second_press_of_a_double_click_sets_no_vertex() -> None:
     tool = click(DrawTool(), (0, 0), (10, 0)).tool.double_press(CONTEXT, at(10, 0)).tool
-    assert isinstance(tool, Drawing)
+    assert isinstance(tool, PolygonBegun)
     assert tool.points == ((0, 0), (10, 0))
 
 

@@ -1,7 +1,7 @@
 import pytest
 from PySide6.QtCore import Qt
 
-from app.tools.draw import Drawing
+from app.tools.draw import PolygonBegun
 from tests.app.driver import CONTROL, SQUARE, TRIANGLE, Driver
 
 
@@ -23,7 +23,7 @@ def test_a_crossing_edge_is_refused_in_words_and_not_stored(driver: Driver) -> N
     refusal = driver.session.refusal
     assert refusal is not None
     assert len(refusal.segments) == 2
-    assert isinstance(driver.session.tool, Drawing)
+    assert isinstance(driver.session.tool, PolygonBegun)
     assert len(driver.session.tool.points) == 3
     driver.click("source", (20, 40))
     assert driver.session.refusal is None
@@ -50,7 +50,7 @@ def test_backspace_and_undo_take_vertices_back(driver: Driver) -> None:
     driver.click("source", *SQUARE)
     driver.key(Qt.Key.Key_Backspace)
     driver.key(Qt.Key.Key_Z, CONTROL)
-    assert isinstance(driver.session.tool, Drawing)
+    assert isinstance(driver.session.tool, PolygonBegun)
     assert len(driver.session.tool.points) == 2
 
 
@@ -65,7 +65,7 @@ def test_escape_forgets_the_path(driver: Driver) -> None:
 def test_choosing_the_drawing_tool_again_changes_nothing_in_a_drawing(driver: Driver) -> None:
     driver.click("source", *SQUARE)
     driver.key(Qt.Key.Key_D)
-    assert isinstance(driver.session.tool, Drawing)
+    assert isinstance(driver.session.tool, PolygonBegun)
     assert len(driver.session.tool.points) == 4
 
 
@@ -79,11 +79,11 @@ def test_choosing_another_tool_closes_a_drawing_where_that_is_possible(driver: D
 def test_a_drawing_that_cannot_be_closed_keeps_its_tool_and_says_why(driver: Driver) -> None:
     driver.click("source", (10, 10), (40, 60), (40, 10), (60, 10), (60, 60), (90, 10))
     driver.key(Qt.Key.Key_S)
-    assert isinstance(driver.session.tool, Drawing)
+    assert isinstance(driver.session.tool, PolygonBegun)
     assert driver.session.refusal is not None
     assert driver.window.actions_table["draw"].isChecked()
     driver.key(Qt.Key.Key_A, CONTROL)
-    assert isinstance(driver.session.tool, Drawing)
+    assert isinstance(driver.session.tool, PolygonBegun)
 
 
 def test_with_both_shapes_drawn_a_stray_click_begins_no_third(driver: Driver) -> None:
