@@ -18,14 +18,14 @@ from starskel.polar import as_points
 from starskel.task import Task
 
 
-class Rung(NamedTuple):
+class Balance(NamedTuple):
     """A balance to try.
 
     Attributes
     ----------
     on_ring : float
         How much more the edges of the outline insist than those inside.
-    dial : float
+    area_share : float
         How much areas are corrected.
     yielding : float
         How much less distorted parts insist.
@@ -36,21 +36,21 @@ class Rung(NamedTuple):
     """
 
     on_ring: float
-    dial: float
+    area_share: float
     yielding: float
     flipped: bool
     rounds: int = 12
 
 
-LADDER = (
-    Rung(on_ring=3, dial=0.95, yielding=1, flipped=True, rounds=1),
-    Rung(on_ring=1, dial=0.95, yielding=1, flipped=False),
-    Rung(on_ring=10, dial=0.95, yielding=0, flipped=False),
-    Rung(on_ring=0.1, dial=0.95, yielding=0, flipped=False),
-    Rung(on_ring=0.1, dial=0.95, yielding=0, flipped=True),
-    Rung(on_ring=10, dial=0.95, yielding=1, flipped=False),
-    Rung(on_ring=3, dial=0.95, yielding=1, flipped=True),
-    Rung(on_ring=10, dial=0, yielding=0, flipped=False),
+BALANCES = (
+    Balance(on_ring=3, area_share=0.95, yielding=1, flipped=True, rounds=1),
+    Balance(on_ring=1, area_share=0.95, yielding=1, flipped=False),
+    Balance(on_ring=10, area_share=0.95, yielding=0, flipped=False),
+    Balance(on_ring=0.1, area_share=0.95, yielding=0, flipped=False),
+    Balance(on_ring=0.1, area_share=0.95, yielding=0, flipped=True),
+    Balance(on_ring=10, area_share=0.95, yielding=1, flipped=False),
+    Balance(on_ring=3, area_share=0.95, yielding=1, flipped=True),
+    Balance(on_ring=10, area_share=0, yielding=0, flipped=False),
 )
 """What is tried in turn, the most pleasing balance first; each of the others settles pairs that those before
 it do not.
@@ -103,19 +103,19 @@ class Graphs:
         self.starts = starts
         self.count = count
 
-    def of(self, rung: Rung, task: Task) -> Graph:
-        """Give the one that a rung stands on."""
-        if rung.flipped not in self._made:
-            fans = with_better_edges(self._fans, task) if rung.flipped else self._fans
-            self._made[rung.flipped] = graph_of(mesh_of(fans))
-        return self._made[rung.flipped]
+    def of(self, balance: Balance, task: Task) -> Graph:
+        """Give the one that a balance is tried on."""
+        if balance.flipped not in self._made:
+            fans = with_better_edges(self._fans, task) if balance.flipped else self._fans
+            self._made[balance.flipped] = graph_of(mesh_of(fans))
+        return self._made[balance.flipped]
 
 
 def plainest(graphs: Graphs, task: Task) -> Stitch:
     """Give the most pleasing stitch, whether it crosses or not."""
-    rung = LADDER[0]
-    graph = graphs.of(rung, task)
-    return Stitch.of(graph, edge_weights(graph.mesh, rung.on_ring, rung.yielding), rung.dial)
+    balance = BALANCES[0]
+    graph = graphs.of(balance, task)
+    return Stitch.of(graph, edge_weights(graph.mesh, balance.on_ring, balance.yielding), balance.area_share)
 
 
 def better(graphs: Graphs, task: Task) -> Iterator[tuple[Stitch, bool]]:
@@ -134,8 +134,8 @@ def better(graphs: Graphs, task: Task) -> Iterator[tuple[Stitch, bool]]:
         If the task is told to stop.
     """
     fewest = np.inf
-    for number, rung in enumerate(LADDER):
-        for crossings, stitch in _attempts(graphs, rung, task.part(number / len(LADDER), 1)):
+    for number, balance in enumerate(BALANCES):
+        for crossings, stitch in _attempts(graphs, balance, task.part(number / len(BALANCES), 1)):
             if crossings < fewest < np.inf:
                 yield stitch, not crossings
             fewest = min(fewest, crossings)
@@ -143,16 +143,16 @@ def better(graphs: Graphs, task: Task) -> Iterator[tuple[Stitch, bool]]:
                 return
 
 
-def _attempts(graphs: Graphs, rung: Rung, task: Task) -> Iterator[tuple[float, Stitch]]:
+def _attempts(graphs: Graphs, balance: Balance, task: Task) -> Iterator[tuple[float, Stitch]]:
     """Give stitches, each stiffer where the one before was squeezed, and their shares of crossing frames."""
-    graph, looked_at = graphs.of(rung, task), (graphs.count, graphs.starts)
-    base = edge_weights(graph.mesh, rung.on_ring, rung.yielding)
+    graph, looked_at = graphs.of(balance, task), (graphs.count, graphs.starts)
+    base = edge_weights(graph.mesh, balance.on_ring, balance.yielding)
     stiffness = np.ones(len(graph.mesh.source))
-    affordable = _GLANCES[0] * _MOST_POINTS // (CHECKED * len(LADDER) * graphs.count)
+    affordable = _GLANCES[0] * _MOST_POINTS // (CHECKED * len(BALANCES) * graphs.count)
     before = 0.0
-    for _ in range(max(1, min(rung.rounds, affordable))):
+    for _ in range(max(1, min(balance.rounds, affordable))):
         weights = base * np.sqrt(stiffness[graph.mesh.edges].prod(axis=1))
-        stitch = Stitch.of(graph, weights, rung.dial)
+        stitch = Stitch.of(graph, weights, balance.area_share)
         share, squeezed = _glanced(stitch, looked_at, task)
         yield share, stitch
         if not squeezed.any() or min(before, share) >= _HOPELESS:

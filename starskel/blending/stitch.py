@@ -99,7 +99,7 @@ class Stitch:
     graph : Graph
     weights : (e,) array
         How much each edge insists.
-    dial : float
+    area_share : float
         0 leaves areas as they come, 1 corrects them in full at the expense of lengths.
     matrix : Factored
         The normal equations.
@@ -107,22 +107,22 @@ class Stitch:
 
     graph: Graph
     weights: Floats
-    dial: float
+    area_share: float
     matrix: Factored
 
     @classmethod
-    def of(cls, graph: Graph, weights: Floats, dial: float) -> "Stitch":
+    def of(cls, graph: Graph, weights: Floats, area_share: float) -> "Stitch":
         """Factor the problem with these weights, the first point held, as they leave the place free."""
         held = np.zeros(len(graph.mesh.source))
         held[0] = weights.max()
-        return cls(graph, weights, dial, factor(graph.mesh.edges, weights, held))
+        return cls(graph, weights, area_share, factor(graph.mesh.edges, weights, held))
 
     def points(self, ts: Floats) -> Complex:
         """Give all points of the mesh at each t, (k, m), up to a translation."""
         wishes = self.graph.mesh.wishes.at(ts)
         points = self._nearest(wishes)
         i, j = self.graph.mesh.edges.T
-        for _ in range(PASSES if self.dial else 0):
+        for _ in range(PASSES if self.area_share else 0):
             growth = self._growth(points, ts)
             wishes = wishes * np.exp((growth[:, i] + growth[:, j]) / 2)
             points = self._nearest(wishes)
@@ -148,7 +148,7 @@ class Stitch:
         has_area = wanted > 0
         lacking = np.log(np.where(has_area, wanted, 1.0) / np.where(has_area, there, 1.0))
         masses = np.minimum(graph.masses, np.maximum(wanted, 0.0) / (3 * wanted.sum(axis=1, keepdims=True)))
-        loads = (self.dial / 2 * masses * lacking)[:, graph.corners]
+        loads = (self.area_share / 2 * masses * lacking)[:, graph.corners]
         return graph.smoothing.solve(np.add.reduceat(loads, graph.corner_firsts, axis=1))
 
     def _whole_scale(self, points: Complex, ts: Floats) -> Floats:

@@ -249,7 +249,7 @@ def test_stopping_is_obeyed_at_once(method):
 
 
 def test_stopping_while_a_blend_is_stiffened():
-    """This pair is hard: the whole ladder is climbed, and each round asks."""
+    """This pair is hard: all balances are tried, and each round asks."""
     known = decomposition_of("arms-over-under")
     asked = []
 

@@ -115,8 +115,8 @@ def test_the_area_pass_brings_areas_nearer_to_the_linear_ones(name):
     graph = graph_of(mesh)
     plain = Stitch.of(graph, edge_weights(mesh, 3.0, 0.0), 0.0)
     deviations = []
-    for dial in (0.0, 0.5, 1.0):
-        corners = replace(plain, dial=dial).points(TIMES)[:, mesh.triangles]
+    for area_share in (0.0, 0.5, 1.0):
+        corners = replace(plain, area_share=area_share).points(TIMES)[:, mesh.triangles]
         wanted = np.outer(1 - TIMES, mesh.source_areas) + np.outer(TIMES, mesh.target_areas)
         total = triangle_areas(corners).sum(axis=1) / wanted.sum(axis=1)
         deviations.append(np.abs(total - 1).max())
