@@ -13,10 +13,10 @@ from starskel.polar import as_complex
 from starskel.shapes.body import Manner, prepared
 from starskel.shapes.certified.blend import CertifiedShapeBlend
 from starskel.shapes.correspondence import PartPair, ShapeCorrespondence
-from starskel.shapes.likeness import rotation_of
 from starskel.shapes.matching.given import Places, as_places
 from starskel.shapes.meta_skeleton import Tree, tree_of
 from starskel.shapes.shape_blend import ShapeBlend
+from starskel.shapes.similarity import rotation_of
 from starskel.task import Task
 
 

@@ -11,10 +11,10 @@ from starskel.correspondence.marks import Mark
 from starskel.polar import as_complex, as_points
 from starskel.polygon import Polygon
 from starskel.shapes.correspondence import PartPair, ShapeCorrespondence, region_pair
-from starskel.shapes.likeness import Similarity, similarity_of
 from starskel.shapes.matching.given import Given
 from starskel.shapes.matching.pairing import RingLink, turn_between
 from starskel.shapes.matching.points import beside, carried, room_for, tiny_copy
+from starskel.shapes.similarity import Similarity, similarity_of
 from starskel.task import Task
 
 

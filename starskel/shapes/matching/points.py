@@ -7,8 +7,8 @@ from starskel.arrays import Floats
 from starskel.correspondence import Correspondence
 from starskel.errors import InvalidMarks, told
 from starskel.polar import as_complex
-from starskel.shapes.likeness import Similarity
 from starskel.shapes.matching.given import Place
+from starskel.shapes.similarity import Similarity
 
 TINY = 1e-3
 """The size of the tiny copy that stands for a hole that is a point, as a part of the region's."""
