@@ -69,7 +69,7 @@ def match(  # noqa: PLR0913 -- all but the first three are seldom given
       of these;
     - (i, None) lets ring i shrink to a point, and (None, j) lets ring j grow from one. A part takes its holes
       along. The point is the place given, else where the ring would be if it moved with its part, or with
-      the part nearest to it;
+      the part nearest to it, or the nearest to that in the same rings as it is;
     - an outline in several pairs is cut into as many parts, along straight cuts.
 
     Parameters

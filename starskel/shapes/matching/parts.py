@@ -1,5 +1,6 @@
 """From what was given to the correspondence of all parts, each with its holes."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,7 +14,7 @@ from starskel.polygon import Polygon
 from starskel.shapes.correspondence import PartPair, ShapeCorrespondence, region_pair
 from starskel.shapes.matching.given import Given
 from starskel.shapes.matching.pairing import RingLink, turn_between
-from starskel.shapes.matching.points import beside, carried, room_for, tiny_copy
+from starskel.shapes.matching.points import beside, carried, place_among, room_for, tiny_copy
 from starskel.shapes.similarity import Similarity, similarity_of
 from starskel.task import Task
 
@@ -35,9 +36,8 @@ def matched_shapes(given: Given, task: Task) -> ShapeCorrespondence:
             outline = matching(source, target, given.marks_of(link))
             parts[link] = _with_holes(given, link, outline, (source, target), matching)
     paired = list(parts.values())
-    for link in given.outlines:
-        if link not in parts:
-            parts[link] = _alone(given, link, paired)
+    for link in sorted((link for link in given.outlines if link not in parts), key=_by_size(given)):
+        parts[link] = _alone(given, link, paired, list(parts.values()))
     own = tuple(parts[link] for link in given.outlines)
     return ShapeCorrespondence(*given.shapes, given.links, own, given.marks)
 
@@ -100,14 +100,27 @@ def _around(copy: Floats) -> list[float]:
     return [*(2 * low - high).tolist(), *(2 * high - low).tolist()]
 
 
-def _alone(given: Given, link: RingLink, paired: list[PartPair]) -> PartPair:
-    """Let a part shrink to a point, or grow from one, with all its holes."""
+def _by_size(given: Given) -> Callable[[RingLink], float]:
+    """Tell large parts without a partner from small ones, which may lie in them."""
+    return lambda link: -max(ring.area for ring in given.rings_of(link) if ring is not None)
+
+
+def _alone(given: Given, link: RingLink, paired: list[PartPair], placed: list[PartPair]) -> PartPair:
+    """Let a part shrink to a point, or grow from one, with all its holes, among parts already placed."""
     side = 0 if link[0] is None else 1  # where it is a point
     links = link, *given.holes[link]
     rings = [ring.vertices for own in links for ring in given.rings_of(own) if ring is not None]
-    place = given.places.get(link) or carried(rings[0], _way(rings[0], 1 - side, paired))
+    place = given.places.get(link)
+    if place is None:
+        wished = carried(rings[0], _way(rings[0], 1 - side, paired))
+        place = place_among(rings[0], wished, [_moved(part, 1 - side) for part in placed])
     points = [beside(ring, np.array([place]), grows=side == 0) for ring in rings]
     return _part(links, points, points)
+
+
+def _moved(part: PartPair, side: int) -> list[tuple[Floats, Floats]]:
+    """Give the rings of a part at one end, and at the other."""
+    return list(zip(part.rings(part.ends[side]), part.rings(part.ends[1 - side]), strict=True))
 
 
 def _way(ring: Floats, side: int, paired: list[PartPair]) -> Similarity:

@@ -1,5 +1,7 @@
 """The points that rings without a partner grow from or shrink to."""
 
+from collections.abc import Iterable, Sequence
+
 import numpy as np
 import shapely
 
@@ -13,8 +15,15 @@ from starskel.shapes.similarity import Similarity
 TINY = 1e-3
 """The size of the tiny copy that stands for a hole that is a point, as a part of the region's."""
 
+SOME_ROOM = 0.02
+"""How far from other rings, as a part of their size, a part grows from a point or shrinks to one."""
+
 ROOM = 0.2
 """The same as a part of the distance from the point to the region's edge, where that is less."""
+
+
+Moved = tuple[Floats, Floats]
+"""A ring at one end of its way, and at the other."""
 
 
 def middle_of(ring: Floats) -> complex:
@@ -52,6 +61,55 @@ def room_for(place: Place | None, wished: Place, region: shapely.Polygon, name: 
     if _room(wished, region) > 0.25 * widest.length:
         return wished
     x, y = shapely.get_coordinates(widest)[0].tolist()
+    return x, y
+
+
+def place_among(ring: Floats, wished: Place, parts: Iterable[Sequence[Moved]]) -> Place:
+    """Give a point for a part to grow from or shrink to: in the same rings as the part is, and in no others.
+
+    It is the place wished where that is so and has some room, else the nearest that has. A part inside a
+    ring that is a point there as well comes from that point. Other parts that meet the part leave it free.
+
+    Parameters
+    ----------
+    ring : (n, 2) array
+        The part's outline.
+    wished : (float, float)
+    parts : iterable of sequences of ((n, 2) array, (n, 2) array)
+        The rings of other parts: where the part is, and where it is a point.
+    """
+    own = shapely.Polygon(ring)
+    around: list[shapely.Polygon] = []
+    apart: list[shapely.Polygon] = []
+    for rings in parts:
+        if any(shapely.intersects(shapely.LinearRing(here), own.exterior) for here, _ in rings):
+            continue
+        for here, there in rings:
+            inside = shapely.contains_properly(shapely.Polygon(here), own)
+            if np.ptp(there, axis=0).any():
+                (around if inside else apart).append(shapely.Polygon(there))
+            elif inside:
+                return float(there[0, 0]), float(there[0, 1])
+    return _nearest(wished, around, apart)
+
+
+def _nearest(wished: Place, around: list[shapely.Polygon], apart: list[shapely.Polygon]) -> Place:
+    """Give the point nearest to a place that has some room in all of some polygons and beside others."""
+    everything = shapely.union_all([*around, *apart, shapely.Point(wished)])
+    size = 2 * float(shapely.minimum_bounding_radius(everything))
+    region = shapely.intersection_all([shapely.buffer(everything.envelope, size), *around])
+    region = shapely.difference(region, shapely.union_all(apart))
+    if region.is_empty:  # the rings lie otherwise than where the part is
+        return wished
+    room = min(SOME_ROOM * size, 0.5 * shapely.maximum_inscribed_circle(region).length)
+    roomy = shapely.buffer(region, -room)
+    return wished if shapely.contains_xy(roomy, *wished) else _point_of(roomy, wished)
+
+
+def _point_of(region: shapely.Geometry, place: Place) -> Place:
+    """Give the point of a region that is nearest to a place."""
+    way = shapely.shortest_line(region, shapely.Point(place))
+    x, y = shapely.get_coordinates(way)[0].tolist()
     return x, y
 
 

@@ -227,6 +227,41 @@ def test_a_certified_blend_says_which_rings_have_to_meet():
         starskel.blend(inside, outside, pairing=[(0, 0), (1, 1), (2, 2)], method="certified")
 
 
+_OPEN = np.linspace(0.7, 2 * np.pi - 0.7, 29)
+CLASP = np.concatenate(
+    [50 + r * np.stack([np.cos(_OPEN), np.sin(_OPEN)], axis=1)[::step] for r, step in ((50, 1), (32, -1))]
+)
+DISK = ellipse(50, 50, 50, 50, 24)
+INNER = {
+    "beside-what-closes-round-it": ([DISK], [CLASP, ellipse(50, 50, 10, 10)]),
+    "in-a-body-that-gets-wider": (
+        [DISK, ellipse(50, 50, 30, 30, 24)],
+        [DISK, ellipse(50, 50, 45, 45, 24), ellipse(15, 50, 5, 5)],
+    ),
+    "in-a-hole-that-is-a-point-too": ([DISK], [DISK, ellipse(40, 50, 25, 25, 24), ellipse(40, 50, 8, 8)]),
+    "in-a-part-that-is-a-point-too": (BAR, [*BAR, *moved(O, 0, 100), ellipse(145, 50, 10, 10)]),
+}
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+@pytest.mark.parametrize("name", INNER)
+def test_a_certified_part_without_a_partner_grows_from_a_point_in_the_same_rings(name, backwards):
+    """The part nearest to it carried it along into rings that it does not lie in, or out of its own."""
+    source, target = map(Shape, INNER[name])
+    if backwards:
+        source, target = target, source
+    blend = starskel.blend(source, target, method="certified")
+    assert all(blend.shape_at(t).is_valid for t in np.linspace(0, 1, 41))
+
+
+def test_places_of_parts_without_a_partner_are_left_where_they_work_and_where_they_are_given():
+    pair = starskel.match(Shape(BAR), Shape([*BAR, ellipse(40, 20, 5, 5)]))
+    np.testing.assert_allclose(pair.parts[1].ends[0], np.full((16, 2), (40, 20)), atol=1e-9)
+    source, target = map(Shape, INNER["beside-what-closes-round-it"])
+    given = starskel.match(source, target, pairing=[(0, 0), (None, 1)], places={(None, 1): (50, 50)})
+    np.testing.assert_array_equal(given.parts[1].ends[0], np.full((16, 2), 50.0))
+
+
 @pytest.mark.parametrize("backwards", [False, True])
 def test_a_certified_part_with_holes_grows_from_a_point(backwards):
     """Its rings touch where they are the same point, at one end, and nowhere else."""
