@@ -35,9 +35,9 @@ class AboutDialog(QDialog):
             self.tr(
                 "Blends one drawn shape into another by the star-skeleton, after M. Shapira and "
                 "A. Rappoport, IEEE Computer Graphics and Applications, March 1995. MIT licence."
-            )
+            ),
+            wrapped=True,
         )
-        text.setWordWrap(True)
         self.versions = QPlainTextEdit(versions())
         self.versions.setReadOnly(True)
         self.versions.setAccessibleName(self.tr("Versions"))

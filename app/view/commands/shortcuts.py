@@ -87,8 +87,7 @@ class ShortcutsDialog(QDialog):
         self.keys.keySequenceChanged.connect(self._warn)
         self.assign = QPushButton(self.tr("&Assign"))
         self.assign.clicked.connect(self._assign)
-        self.note = Label()
-        self.note.setWordWrap(True)
+        self.note = Label(wrapped=True)
         self._arrange()
         self._fill()
 

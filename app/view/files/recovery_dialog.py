@@ -41,8 +41,9 @@ class RecoveryDialog(QDialog):
         self.setWindowTitle(self.tr("Recovered documents"))
         self.resize(520, 380)
         self.chosen: Kept | None = None
-        heading = Label(self.tr("The program ended unexpectedly. What was not saved then has been kept:"))
-        heading.setWordWrap(True)
+        heading = Label(
+            self.tr("The program ended unexpectedly. What was not saved then has been kept:"), wrapped=True
+        )
         self.documents = QListWidget()
         self.documents.setAccessibleName(self.tr("Recovered documents"))
         self.documents.setIconSize(PICTURE)
@@ -53,8 +54,9 @@ class RecoveryDialog(QDialog):
             self._add(each)
         self.documents.itemDoubleClicked.connect(self._open)
         self.documents.currentItemChanged.connect(self._follow)
-        later = Label(self.tr("What is left for later is offered again, and is in the File menu."))
-        later.setWordWrap(True)
+        later = Label(
+            self.tr("What is left for later is offered again, and is in the File menu."), wrapped=True
+        )
         buttons = QDialogButtonBox()
         self.open_button = self._button(buttons, self.tr("&Open"), QDialogButtonBox.ButtonRole.AcceptRole)
         self.discard_button = self._button(

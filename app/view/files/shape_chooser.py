@@ -134,8 +134,7 @@ class ShapeChooser(QDialog):
         super().__init__(parent)
         self.setWindowTitle(self.tr("Choose shapes"))
         self.resize(320 * len(sides) + 40, 560)
-        heading = Label(COUNTS.shapes_in(path.name, len(reading.shapes)))
-        heading.setWordWrap(True)
+        heading = Label(COUNTS.shapes_in(path.name, len(reading.shapes)), wrapped=True)
         self._filter = QLineEdit()
         self._filter.setPlaceholderText(self.tr("Filter"))
         self._filter.setAccessibleName(self.tr("Filter"))
@@ -143,7 +142,7 @@ class ShapeChooser(QDialog):
         self._filter.textChanged.connect(self._narrow)
         several = optional and len(sides) > 1
         self._lists = {side: ShapeList(side, reading.shapes, optional=several) for side in sides}
-        self._mended = {side: Label() for side in sides}
+        self._mended = {side: Label(wrapped=True) for side in sides}
         writing = sides if format_of(path).module == "font" else ()
         self._words = {side: WordField(path) for side in writing}
         columns = QHBoxLayout()
@@ -160,8 +159,7 @@ class ShapeChooser(QDialog):
         layout.addWidget(self._filter)
         layout.addLayout(columns, 1)
         if reading.notes:
-            notes = Label("\n".join(str(words.retold(note)) for note in reading.notes))
-            notes.setWordWrap(True)
+            notes = Label("\n".join(str(words.retold(note)) for note in reading.notes), wrapped=True)
             layout.addWidget(notes)
         layout.addWidget(self._buttons)
         next(iter(self._lists.values())).setFocus()
@@ -183,7 +181,6 @@ class ShapeChooser(QDialog):
             word.refused.connect(mended.setText)
             word.pending_changed.connect(self._allow)
             self.finished.connect(word.leave)
-        mended.setWordWrap(True)
         mended.setMinimumHeight(3 * mended.fontMetrics().lineSpacing())
         mended.setAlignment(Qt.AlignmentFlag.AlignTop)
         own.itemDoubleClicked.connect(self.accept)

@@ -148,9 +148,8 @@ class MarksPanel(QWidget):
         self._suggest.setObjectName("suggest")
         self._suggest.setToolTip(self.tr("Replace all marks by ones that suggest themselves"))
         self._suggest.clicked.connect(self.suggest)
-        self.message = Label()
+        self.message = Label(wrapped=True)
         self.message.setObjectName("marks-message")
-        self.message.setWordWrap(True)
         self.message.hide()
         self.setFocusProxy(self.table)
         layout = QVBoxLayout(self)
@@ -172,8 +171,7 @@ class MarksPanel(QWidget):
 
     def _help(self) -> Label:
         text = self.tr("Type a vertex number to change it, Del removes. New marks go in the last row.")
-        label = Label(text)
-        label.setWordWrap(True)
+        label = Label(text, wrapped=True)
         label.setForegroundRole(self.palette().ColorRole.PlaceholderText)
         return label
 

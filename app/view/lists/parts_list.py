@@ -212,8 +212,7 @@ class PartsPanel(QWidget):
         text = self.tr(
             "Drag a source or a target onto another row to pair it there; Enter lets you choose a partner."
         )
-        label = Label(text)
-        label.setWordWrap(True)
+        label = Label(text, wrapped=True)
         policy = label.sizePolicy()
         policy.setHorizontalPolicy(QSizePolicy.Policy.Ignored)  # else the list opens as wide as its words
         label.setSizePolicy(policy)

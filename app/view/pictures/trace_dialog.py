@@ -71,9 +71,8 @@ class TraceDialog(QDialog):
         self._several = QCheckBox(self.tr("All parts, not the largest alone"))
         self._holes = QCheckBox(self.tr("Holes"))
         self._holes.setChecked(True)
-        self._verdict = Label()
+        self._verdict = Label(wrapped=True)
         self._verdict.setObjectName("verdict")
-        self._verdict.setWordWrap(True)
         self._arrange()
         for signal in (
             self._by.activated,
