@@ -1,7 +1,7 @@
 """The methods side by side, all in one view so that sizes compare."""
 
 import numpy as np
-from PySide6.QtCore import Slot
+from PySide6.QtCore import QSize, Slot
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QWidget
 
@@ -26,8 +26,11 @@ def columns_for(count: int, width: float, height: float, extent: Floats) -> int:
         room = np.array([width / columns, height / -(-count // columns) - HEADING])
         return float((room / np.maximum(box, np.finfo(float).tiny)).min())
 
-    fitting = max(2, int(width // NARROWEST))
-    return max(range(min(count, fitting), 0, -1), key=scale, default=1)
+    return max(range(min(count, _most_columns(width)), 0, -1), key=scale, default=1)
+
+
+def _most_columns(width: float) -> int:
+    return max(2, int(width // NARROWEST))
 
 
 class Panels(QWidget):
@@ -65,7 +68,20 @@ class Panels(QWidget):
         self._columns = 0
         self.follow()
 
+    def minimumSizeHint(self) -> QSize:
+        """Ask for the height of as few rows as there may be, not for that of those there are.
+
+        Before it is shown, when it has no width yet, that is one.
+        """
+        panels, margins = self._panels.values(), self._grid.contentsMargins()
+        rows = -(-len(panels) // _most_columns(self.width())) if self.isVisible() else 1
+        height = rows * max((panel.minimumSizeHint().height() for panel in panels), default=0)
+        between = (rows - 1) * self._grid.verticalSpacing() + margins.top() + margins.bottom()
+        return QSize(super().minimumSizeHint().width(), height + between)
+
     def resizeEvent(self, event: QResizeEvent) -> None:
+        if event.oldSize().width() != event.size().width():
+            self.updateGeometry()
         self._lay_out(self._extent())
 
     def _lay_out(self, extent: Floats) -> None:

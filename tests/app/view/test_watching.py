@@ -4,9 +4,11 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QLabel
+from pytestqt.qtbot import QtBot
 
 from app.playback import Repeat
-from app.session import USUAL_METHODS
+from app.session import USUAL_METHODS, Session
+from app.view.main_window import MainWindow
 from app.view.panels.panels import columns_for
 from app.view.wording.fitting_label import FittingLabel
 from starskel.files.examples import example
@@ -302,3 +304,20 @@ def test_a_panel_whose_method_is_no_longer_compared_is_not_painted_again(arm: Dr
     former = arm.window.panels.panel("vertex")
     arm.session.store(arm.document.compare(("stitched",)), "Choose methods")
     assert not former.isVisible()
+
+
+@pytest.mark.parametrize("size", [(1008, 652), (800, 620)], ids=["a small screen", "smaller"])
+def test_a_window_on_a_small_screen_is_no_larger_than_it_was_told(
+    qtbot: QtBot, size: tuple[int, int]
+) -> None:
+    small = MainWindow(Session())
+    small.resize(*size)
+    small.show()
+    qtbot.waitExposed(small)
+    small.actions_table["begin"].trigger()
+    QApplication.processEvents()
+    found = small.size().toTuple(), small.statusBar().geometry().bottom()
+    small.close()
+    small.deleteLater()
+    assert found[0] == size
+    assert found[1] < size[1]
