@@ -13,8 +13,8 @@ from starskel.export.film import Film, Scene, Track
 from starskel.export.settings import Settings, even_times
 from starskel.export.write import write
 from starskel.files.image_pairs import placed_image
-from starskel.files.picture import Picture
-from starskel.files.step import Step
+from starskel.files.projects.picture import Picture
+from starskel.files.projects.step import Step
 from starskel.images.morph import ImageMorph
 from starskel.images.placed import SOLID, PlacedImage
 from starskel.sheet.keyframe import Shown

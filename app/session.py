@@ -28,7 +28,7 @@ from app.tools.refusal import Refusal
 from app.tools.settings import ToolSettings
 from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Tool, ToolContext
 from app.tools.verbs.marks import replace_marks
-from starskel.files.project import Project
+from starskel.files.projects.project import Project
 
 
 class Session(QObject):

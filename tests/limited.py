@@ -9,7 +9,12 @@ from importlib import import_module
 from multiprocessing import get_context
 from pathlib import Path
 
-_LOADED = ("starskel", "starskel.reading.svg", "starskel.reading.silhouette", "starskel.files.project_file")
+_LOADED = (
+    "starskel",
+    "starskel.reading.svg",
+    "starskel.reading.silhouette",
+    "starskel.files.projects.project_file",
+)
 
 
 class Limited:

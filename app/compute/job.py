@@ -23,7 +23,7 @@ from starskel import (
     measure,
 )
 from starskel.errors import Cancelled, StarskelError
-from starskel.files.step import Step
+from starskel.files.projects.step import Step
 from starskel.task import ShouldStop
 
 SAMPLES = np.linspace(0, 1, 41)

@@ -16,7 +16,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from app.compute.freeing import freeing_factors
 from app.compute.threads import thread_named
 from starskel.errors import Cancelled, StarskelError
-from starskel.files.picture import Picture
+from starskel.files.projects.picture import Picture
 from starskel.images.placed import SOLID
 
 if TYPE_CHECKING:  # what blends and paints is loaded by the worker, so that the window opens sooner

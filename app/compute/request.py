@@ -10,7 +10,7 @@ import numpy as np
 from app.model.sequence import Sequence
 from starskel.arrays import Floats
 from starskel.blending import STEERED
-from starskel.files.step import Link
+from starskel.files.projects.step import Link
 from starskel.polygon import Polygon
 from starskel.shapes.shape_blend import ShapeBlend
 

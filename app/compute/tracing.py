@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from starskel.files.picture import Picture
+from starskel.files.projects.picture import Picture
 from starskel.task import Task
 
 if TYPE_CHECKING:  # what traces is loaded by the worker, so that the window opens sooner

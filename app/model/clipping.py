@@ -11,7 +11,7 @@ from app.model.marks import Side, other
 from app.model.pairing import part_of
 from app.model.selection import Selection, everything
 from starskel.errors import InvalidPolygon
-from starskel.files.key_shape import Part
+from starskel.files.projects.key_shape import Part
 from starskel.polygon import Polygon
 from starskel.shapes.shape import Shape
 

@@ -13,9 +13,9 @@ from app.model.point import Point
 from app.model.sequence import Sequence
 from starskel.arrays import Floats
 from starskel.errors import InvalidPolygon, told
-from starskel.files.key_shape import KeyShape, Part
-from starskel.files.picture import Picture
-from starskel.files.step import Link, Step
+from starskel.files.projects.key_shape import KeyShape, Part
+from starskel.files.projects.picture import Picture
+from starskel.files.projects.step import Link, Step
 from starskel.polygon import Polygon
 
 

@@ -6,8 +6,8 @@ from pathlib import Path
 from app.model.document import Document
 from app.model.sequence import Sequence
 from starskel.files.disk import clear_leftovers, digest_of
-from starskel.files.project import Project
-from starskel.files.project_file import write_project
+from starskel.files.projects.project import Project
+from starskel.files.projects.project_file import write_project
 
 
 @dataclass(frozen=True)

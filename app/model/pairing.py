@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from app.model import marks as pins
 from app.model.marks import SIDES, Renumbering, Side
-from starskel.files.step import Link
+from starskel.files.projects.step import Link
 
 Links = tuple[Link, ...]
 Ends = tuple[int | None, int | None]

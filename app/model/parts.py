@@ -10,9 +10,9 @@ from app.model.marks import SIDES, Side
 from app.model.pairing import Ends
 from app.model.point import Point
 from starskel import suggest_pairing
-from starskel.files.key_shape import Part
-from starskel.files.part_looks import part_looks
-from starskel.files.step import Link
+from starskel.files.projects.key_shape import Part
+from starskel.files.projects.part_looks import part_looks
+from starskel.files.projects.step import Link
 from starskel.polygon import Polygon
 from starskel.sheet.style import PartLook
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from app.model.point import Point
 from starskel.arrays import Floats
-from starskel.files.picture import Picture
+from starskel.files.projects.picture import Picture
 
 
 def place_on(picture: Picture, x: float, y: float) -> Point:

@@ -9,9 +9,9 @@ from app.model import pairing
 from app.model.marks import Renumbering, Side
 from app.model.pairing import Ends, Links, complete
 from starskel.errors import StarskelError, told
-from starskel.files.key_shape import KeyShape, Part
-from starskel.files.picture import Picture
-from starskel.files.step import Link, Step
+from starskel.files.projects.key_shape import KeyShape, Part
+from starskel.files.projects.picture import Picture
+from starskel.files.projects.step import Link, Step
 from starskel.polygon import Polygon
 
 USUAL = Step()

@@ -10,8 +10,8 @@ import msgspec
 
 from app.model.filing import Filed
 from starskel.files.documents import read_document, write_document
-from starskel.files.project import Project
-from starskel.files.project_file import project_content, read_project
+from starskel.files.projects.project import Project
+from starskel.files.projects.project_file import project_content, read_project
 
 
 @dataclass(frozen=True)

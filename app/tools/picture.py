@@ -15,7 +15,7 @@ from app.tools.handles import CORNERS, STALK, TURN, nearest_handle, turning_plac
 from app.tools.moving import ARROWS, key_turn, key_way, turned_by
 from app.tools.settings import Snapping
 from app.tools.tool import Commit, Key, Overlay, Pointer, Response, Tool, ToolContext
-from starskel.files.picture import Picture
+from starskel.files.projects.picture import Picture
 
 MOVE = QT_TRANSLATE_NOOP("Step", "Move picture")
 SCALE = QT_TRANSLATE_NOOP("Step", "Scale picture")

@@ -12,7 +12,7 @@ from app.model.transforms import Box
 from app.tools.refusal import Refusal, Segment
 from app.tools.settings import ToolSettings
 from starskel.arrays import Floats
-from starskel.files.picture import Picture
+from starskel.files.projects.picture import Picture
 
 PICK = 9.0
 """Pixels within which a vertex or an edge counts as under the pointer."""

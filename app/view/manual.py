@@ -7,7 +7,7 @@ from PySide6.QtGui import QDesktopServices, QKeySequence, QShortcut, QTextBlock,
 from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QPushButton, QTextBrowser, QVBoxLayout, QWidget
 
 from app.view.wording.plain import Label
-from starskel.files.examples import resource_folder
+from starskel.files.projects.examples import resource_folder
 
 CONTENTS = "README.md"
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 import msgspec
 
 from starskel.command.variants import Variant, Watch, blends_of
-from starskel.files.project import AnyPair
+from starskel.files.projects.project import AnyPair
 from starskel.quality import Distortion, Report, ShapeReport, measure
 from starskel.shapes.shape_blend import ShapeBlend
 

@@ -6,12 +6,12 @@ from pathlib import Path
 
 from starskel.command.opening import opened
 from starskel.errors import InvalidFile
-from starskel.files import project_document
 from starskel.files.documents import format_of
 from starskel.files.multi_pairs import MultiPair
 from starskel.files.pairs import ShapePair
-from starskel.files.project import AnyPair, letter
-from starskel.files.project_file import read_project
+from starskel.files.projects import project_document
+from starskel.files.projects.project import AnyPair, letter
+from starskel.files.projects.project_file import read_project
 from starskel.reading.named_shape import NamedShape
 from starskel.reading.readers import ENDINGS, FORMATS, read_shapes
 from starskel.reading.wanted import TOLERANCE

@@ -6,16 +6,17 @@ from itertools import pairwise
 from pathlib import Path
 
 from starskel.errors import InvalidFile, StarskelError
-from starskel.files import image_pairs, multi_pairs, pairs, project_document
+from starskel.files import image_pairs, multi_pairs, pairs
 from starskel.files.documents import check_format
 from starskel.files.image_pairs import ImagePair, picture_of, read_image_pairs
 from starskel.files.multi_pairs import read_multi_pairs
 from starskel.files.pair_file import PairFile
 from starskel.files.pairs import read_pairs
-from starskel.files.part_looks import part_looks
-from starskel.files.project import AnyPair, Project, letter
-from starskel.files.project_file import read_project
-from starskel.files.step import Step
+from starskel.files.projects import project_document
+from starskel.files.projects.part_looks import part_looks
+from starskel.files.projects.project import AnyPair, Project, letter
+from starskel.files.projects.project_file import read_project
+from starskel.files.projects.step import Step
 from starskel.images.placed import PlacedImage
 from starskel.reading.readers import ENDINGS
 from starskel.sheet.style import PartLook

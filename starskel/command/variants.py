@@ -13,7 +13,7 @@ from starskel.decomposition.pieces import Decomposition
 from starskel.errors import InvalidFile
 from starskel.files.multi_pairs import MultiPair
 from starskel.files.pairs import ShapePair
-from starskel.files.project import AnyPair
+from starskel.files.projects.project import AnyPair
 from starskel.shapes.blend import blend
 from starskel.shapes.matching.match import match
 from starskel.shapes.shape_blend import ShapeBlend

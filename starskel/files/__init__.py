@@ -1,1 +1,1 @@
-"""What is read and written: one module a format."""
+"""What is read and written: one module a format; `projects` has those of the editor."""

@@ -13,8 +13,8 @@ from starskel.files.disk import read_bytes
 from starskel.files.documents import check_format, read_document
 from starskel.files.pair_file import IMAGE_PAIRS, PairFile
 from starskel.files.pairs import ShapePair
-from starskel.files.picture import Picture
-from starskel.files.project import Project, letter
+from starskel.files.projects.picture import Picture
+from starskel.files.projects.project import Project, letter
 from starskel.files.raster import decoded, image_of
 from starskel.files.shapes import Row, marked_shapes, polygon_of
 from starskel.images.placed import PlacedImage

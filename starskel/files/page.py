@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterable, Sequence
 from html import escape
 
-from starskel.files.examples import resource_folder
+from starskel.files.projects.examples import resource_folder
 
 
 def page(title: str, parts: Iterable[str]) -> str:

@@ -15,10 +15,10 @@ from app.model.filing import stored
 from app.model.marks import Side
 from app.session import Session
 from app.view.main_window import MainWindow
-from starskel.files.key_shape import KeyShape
-from starskel.files.project import Project
-from starskel.files.project_file import write_project
-from starskel.files.step import Step
+from starskel.files.projects.key_shape import KeyShape
+from starskel.files.projects.project import Project
+from starskel.files.projects.project_file import write_project
+from starskel.files.projects.step import Step
 from starskel.polygon import Polygon
 
 LEFT = Qt.MouseButton.LeftButton

@@ -27,8 +27,8 @@ from app.tools.toolbox import TOOLS
 from app.view.commands.table import COMMANDS
 from app.view.main_window import MainWindow
 from starskel.errors import StarskelError
-from starskel.files.examples import example, example_names
-from starskel.files.project_file import write_project
+from starskel.files.projects.examples import example, example_names
+from starskel.files.projects.project_file import write_project
 
 KEYS = [getattr(Qt.Key, f"Key_{name}") for name in "ACDFMNPSTVXYZ159"] + [
     *(Qt.Key.Key_Return, Qt.Key.Key_Escape, Qt.Key.Key_Delete, Qt.Key.Key_Backspace, Qt.Key.Key_Space),

@@ -11,15 +11,15 @@ from app.model.easing import Easing
 from starskel import Cancelled, InvalidFile, Polygon, StarskelError, blend, match, measure
 from starskel.cli import main
 from starskel.export.write import paths_of
-from starskel.files.examples import example, resource_folder
-from starskel.files.key_shape import KeyShape, Part
-from starskel.files.part_looks import part_looks
-from starskel.files.picture import Picture
-from starskel.files.project import Project
-from starskel.files.project_file import write_project
+from starskel.files.projects.examples import example, resource_folder
+from starskel.files.projects.key_shape import KeyShape, Part
+from starskel.files.projects.part_looks import part_looks
+from starskel.files.projects.picture import Picture
+from starskel.files.projects.project import Project
+from starskel.files.projects.project_file import write_project
+from starskel.files.projects.step import Link, Step
 from starskel.files.raster import read_image
 from starskel.files.raster_writing import png_of
-from starskel.files.step import Link, Step
 from starskel.sheet.drawing import Stroke
 from starskel.sheet.keyframe import Shown
 from starskel.sheet.style import USUAL, Look

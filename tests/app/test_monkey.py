@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from app.model.filing import project_of
 from app.view.main_window import MainWindow
-from starskel.files.project_file import read_project, write_project
+from starskel.files.projects.project_file import read_project, write_project
 from tests.app.monkey import Monkey
 
 STRETCH = 100

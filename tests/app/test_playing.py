@@ -9,7 +9,7 @@ import pytest
 from PySide6.QtTest import QTest
 
 from app.view.collecting import collecting_here
-from starskel.files.examples import example
+from starskel.files.projects.examples import example
 from tests.app.driver import Driver
 
 FRAME = 16

@@ -17,7 +17,7 @@ from app.view.collecting import collecting_here
 from app.view.main_window import MainWindow
 from app.view.painting.theme import LIGHT, apply_theme
 from starskel.files.pairs import ShapePair
-from starskel.files.project import Project
+from starskel.files.projects.project import Project
 from starskel.polygon import Polygon
 from tests.benchmarks.timing import table
 from tests.families import blob

@@ -19,15 +19,15 @@ from app.model.filing import Filed
 from app.recovery.record import Record, read_record, write_record
 from starskel.files.documents import document_text
 from starskel.files.image_pairs import read_image_pairs
-from starskel.files.key_shape import KeyShape
 from starskel.files.multi_pairs import read_multi_pairs
 from starskel.files.pairs import read_pairs
-from starskel.files.picture import Picture
-from starskel.files.project import Project
-from starskel.files.project_file import project_content, read_project
+from starskel.files.projects.key_shape import KeyShape
+from starskel.files.projects.picture import Picture
+from starskel.files.projects.project import Project
+from starskel.files.projects.project_file import project_content, read_project
+from starskel.files.projects.step import Link, Step
 from starskel.files.raster import image_of
 from starskel.files.raster_writing import png_of
-from starskel.files.step import Link, Step
 from starskel.polygon import Polygon
 from starskel.reading.readers import read_content
 

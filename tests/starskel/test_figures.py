@@ -11,8 +11,8 @@ import starskel
 from starskel.correspondence.match import match
 from starskel.decomposition.decompose import decompose
 from starskel.errors import NoDecomposition
-from starskel.files.examples import example, example_names, figure_number
 from starskel.files.image_pairs import picture_of
+from starskel.files.projects.examples import example, example_names, figure_number
 from starskel.images.morph import ImageMorph
 from starskel.quality import measure
 from starskel.shapes.blend import blend

@@ -8,7 +8,7 @@ import pytest
 
 import starskel
 from starskel.cli import _parser, main
-from starskel.files.examples import resource_folder
+from starskel.files.projects.examples import resource_folder
 
 TESTS = Path(__file__).parents[1]
 MANUAL = resource_folder() / "manual"

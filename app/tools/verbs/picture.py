@@ -10,7 +10,7 @@ from app.model.texts import QT_TRANSLATE_NOOP
 from app.tools.outcome import drawn_parts
 from app.tools.picture import MOVE, SCALE, TURNING, PictureTool, put_picture
 from app.tools.tool import Response, ToolContext
-from starskel.files.picture import Picture
+from starskel.files.projects.picture import Picture
 from starskel.shapes.shape import Shape
 
 

@@ -37,13 +37,13 @@ from app.view.wording import words
 from starskel.errors import StarskelError
 from starskel.files import multi_pairs, pairs
 from starskel.files.documents import format_of
-from starskel.files.examples import example
 from starskel.files.file_name import file_name_of
 from starskel.files.multi_pairs import MultiPair, read_multi_pairs
 from starskel.files.pair_file import IMAGE_PAIRS, PairFile
 from starskel.files.pairs import ShapePair, read_pairs
-from starskel.files.project import Project
-from starskel.files.project_file import read_project
+from starskel.files.projects.examples import example
+from starskel.files.projects.project import Project
+from starskel.files.projects.project_file import read_project
 from starskel.reading.readers import ENDINGS
 from starskel.task import Task
 

@@ -13,10 +13,10 @@ from app.view.painting.thumbnail import paint_thumbnail
 from app.view.wording import plain, words
 from starskel.errors import StarskelError
 from starskel.files.documents import format_of
-from starskel.files.examples import example, example_names, figure_number
-from starskel.files.project import Project
-from starskel.files.project_document import FORMAT
-from starskel.files.project_file import read_project
+from starskel.files.projects.examples import example, example_names, figure_number
+from starskel.files.projects.project import Project
+from starskel.files.projects.project_document import FORMAT
+from starskel.files.projects.project_file import read_project
 
 translate = QCoreApplication.translate
 

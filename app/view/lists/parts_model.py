@@ -26,8 +26,8 @@ from app.view.painting.drawing import layer_of, painting
 from app.view.painting.theme import theme_of
 from app.view.painting.thumbnail import paint_thumbnail
 from app.view.wording import words
-from starskel.files.key_shape import KeyShape, Part
-from starskel.files.step import Link
+from starskel.files.projects.key_shape import KeyShape, Part
+from starskel.files.projects.step import Link
 
 Index = QModelIndex | QPersistentModelIndex
 

@@ -7,7 +7,7 @@ from PySide6.QtGui import QImage, QImageReader, QImageWriter
 
 from app.view.painting.camera import Camera
 from starskel.errors import InvalidFile, told
-from starskel.files.picture import Picture
+from starskel.files.projects.picture import Picture
 
 LARGEST = 2048
 """Pixels of the longer side; larger images are stored smaller, or projects would swell."""

@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QPainter
 from app.view.painting.camera import Camera
 from app.view.painting.drawing import faded, pen
 from app.view.painting.parts import paint_region, regions
-from starskel.files.key_shape import KeyShape
+from starskel.files.projects.key_shape import KeyShape
 from starskel.shapes.shape import Shape
 
 MARGIN = 4.0

@@ -26,7 +26,7 @@ from app.view.wording import words
 from app.view.wording.counts import COUNTS
 from app.view.wording.plain import Label
 from starskel.errors import StarskelError, told
-from starskel.files.picture import Picture
+from starskel.files.projects.picture import Picture
 
 FINEST, COARSEST = 0.25, 40.0
 """Ends of the slider that simplifies, in pixels of the picture; each step multiplies by the same factor."""

@@ -15,7 +15,7 @@ from app.view.painting.camera import Camera
 from app.view.painting.drawing import faded, painting, pen, polygon_of
 from app.view.painting.theme import theme_of
 from starskel.arrays import Floats
-from starskel.files.picture import Picture
+from starskel.files.projects.picture import Picture
 
 MARGIN = 16.0
 """Pixels left free around the picture."""

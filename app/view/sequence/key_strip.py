@@ -17,7 +17,7 @@ from app.view.sequence.strip_painter import StripPainter
 from app.view.timeline.player import Player
 from app.view.wording import words
 from app.view.wording.counts import COUNTS
-from starskel.files.project import letter
+from starskel.files.projects.project import letter
 
 
 class KeyStrip(QWidget):

@@ -13,7 +13,7 @@ from app.view.painting.theme import Theme
 from app.view.painting.thumbnail import paint_thumbnail
 from app.view.sequence.strip_layout import TIMES, StripLayout
 from app.view.wording.words import figure
-from starskel.files.project import letter
+from starskel.files.projects.project import letter
 
 translate = QCoreApplication.translate
 

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QLibraryInfo, QLocale, QSettings, QTranslator
 from PySide6.QtWidgets import QApplication
 
-from starskel.files.examples import resource_folder
+from starskel.files.projects.examples import resource_folder
 
 SYSTEM = "system"
 """The choice to follow the system."""

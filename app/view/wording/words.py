@@ -9,8 +9,8 @@ from app.model.marks import Side, witness
 from app.model.parts import members
 from starskel.correspondence.marks import Mark
 from starskel.errors import InvalidMarks, InvalidPolygon, StarskelError, Told
-from starskel.files.key_shape import Part
-from starskel.files.project import letter
+from starskel.files.projects.key_shape import Part
+from starskel.files.projects.project import letter
 
 translate = QCoreApplication.translate
 

@@ -11,11 +11,12 @@ import msgspec
 from starskel.command.holdings import holdings, pair_of
 from starskel.command.opening import opened
 from starskel.errors import InvalidFile, StarskelError
-from starskel.files import multi_pairs, pairs, project_document
+from starskel.files import multi_pairs, pairs
 from starskel.files.disk import read_bytes
 from starskel.files.documents import format_of
 from starskel.files.pair_file import IMAGE_PAIRS
-from starskel.files.project import AnyPair
+from starskel.files.projects import project_document
+from starskel.files.projects.project import AnyPair
 from starskel.reading.readers import ENDINGS
 
 _KNOWN = (pairs.FORMAT, multi_pairs.FORMAT, IMAGE_PAIRS, project_document.FORMAT)

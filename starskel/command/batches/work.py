@@ -8,7 +8,7 @@ import msgspec
 
 from starskel.command.figures import measured
 from starskel.errors import StarskelError
-from starskel.files.project import AnyPair
+from starskel.files.projects.project import AnyPair
 
 
 class Outcome(msgspec.Struct, frozen=True, kw_only=True):

@@ -15,8 +15,8 @@ from starskel.command.written import written_text
 from starskel.errors import InvalidFile
 from starskel.export.svg import svg_text
 from starskel.files.disk import write_bytes, wrong_ending
-from starskel.files.project import Project
-from starskel.files.project_file import write_project
+from starskel.files.projects.project import Project
+from starskel.files.projects.project_file import write_project
 from starskel.reading.named_shape import NamedShape
 from starskel.sheet.drawing import Area, Drawing, Group
 

@@ -18,10 +18,10 @@ from starskel.export.film import Scene
 from starskel.export.settings import even_times
 from starskel.export.svg import svg_text
 from starskel.files.disk import made_folder, write_bytes
-from starskel.files.examples import example_names, resource_folder
 from starskel.files.gallery import Exhibit, gallery_page
 from starskel.files.pairs import ShapePair
-from starskel.files.project import AnyPair
+from starskel.files.projects.examples import example_names, resource_folder
+from starskel.files.projects.project import AnyPair
 from starskel.quality import Report, ShapeReport, measure
 from starskel.sheet.comparison import Row, comparison_sheet
 from starskel.sheet.keyframe import ALONE

@@ -2,7 +2,7 @@
 
 from app.compute import Subject
 from app.model.marks import Marks
-from starskel.files.step import Link
+from starskel.files.projects.step import Link
 from starskel.polygon import Polygon
 
 

@@ -4,8 +4,8 @@ from app.model import clipping
 from app.model.document import Document
 from app.model.selection import Selection, everything
 from app.model.sequence import Sequence
-from starskel.files.key_shape import KeyShape
-from starskel.files.step import Link, Step
+from starskel.files.projects.key_shape import KeyShape
+from starskel.files.projects.step import Link, Step
 from starskel.polygon import Polygon
 
 

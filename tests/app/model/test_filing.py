@@ -1,5 +1,5 @@
 from app.model.filing import Filed, document_of, project_of
-from starskel.files.examples import example, example_names
+from starskel.files.projects.examples import example, example_names
 
 
 def test_a_project_comes_back_from_its_document_as_it_was():

@@ -12,8 +12,8 @@ from app.model.marks import Marks
 from app.model.pairing import Ends
 from app.model.sequence import Sequence, lost_marks
 from starskel.errors import InvalidPolygon
-from starskel.files.key_shape import KeyShape
-from starskel.files.step import Link, Step
+from starskel.files.projects.key_shape import KeyShape
+from starskel.files.projects.step import Link, Step
 from starskel.polygon import Polygon
 
 

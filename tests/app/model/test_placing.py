@@ -5,7 +5,7 @@ import pytest
 
 from app.model import placing
 from app.tools.handles import CORNERS
-from starskel.files.picture import Picture
+from starskel.files.projects.picture import Picture
 
 TURNS = (0.0, 0.4, -2.0, pi)
 

@@ -2,7 +2,7 @@ from dataclasses import replace
 
 from app.model.document import Document
 from app.model.selection import Selection, everything
-from starskel.files.key_shape import Part
+from starskel.files.projects.key_shape import Part
 from starskel.polygon import Polygon
 
 SQUARE = Polygon([(0, 0), (10, 0), (10, 10), (0, 10)])

@@ -10,8 +10,8 @@ from app.model.marks import Marks
 from app.model.sequence import SHORTEST_DURATION, Sequence, lost_marks
 from starskel.easing import Easing
 from starskel.errors import InvalidMarks, StarskelError
-from starskel.files.key_shape import KeyShape
-from starskel.files.step import Link, Step
+from starskel.files.projects.key_shape import KeyShape
+from starskel.files.projects.step import Link, Step
 from starskel.polygon import Polygon
 
 

@@ -17,8 +17,8 @@ from app.recovery.places import Place, kept_records, state_folder
 from app.recovery.record import Record, read_record, write_record
 from app.session import Session
 from starskel import Polygon, StarskelError
-from starskel.files.examples import example
-from starskel.files.project_file import read_project
+from starskel.files.projects.examples import example
+from starskel.files.projects.project_file import read_project
 from tests.app.driver import save
 
 SQUARE = Polygon([(0, 0), (10, 0), (10, 10), (0, 10)])

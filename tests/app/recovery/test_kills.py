@@ -13,8 +13,8 @@ from PySide6.QtCore import QCoreApplication
 
 from app.recovery.places import kept_records
 from app.recovery.record import Record
-from starskel.files.project import Project
-from starskel.files.project_file import read_project
+from starskel.files.projects.project import Project
+from starskel.files.projects.project_file import read_project
 from tests.app.recovery.victim import number_of
 
 LOST = 5.0

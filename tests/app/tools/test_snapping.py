@@ -7,8 +7,8 @@ from app.model.sequence import Sequence
 from app.tools.settings import Snapping
 from app.tools.snapping import caught, targets_for_drawing, targets_for_moving
 from app.tools.tool import Catch, Pointer
-from starskel.files.key_shape import KeyShape, Part
-from starskel.files.step import Link, Step
+from starskel.files.projects.key_shape import KeyShape, Part
+from starskel.files.projects.step import Link, Step
 from starskel.polygon import Polygon
 
 SQUARE = Document.of(source=Polygon([(0, 0), (10, 0), (10, 10), (0, 10)]))

@@ -6,9 +6,9 @@ from PySide6.QtTest import QTest
 
 from app.model.pairing import Ends
 from app.view.lists.parts_list import PartsTable
-from starskel.files.key_shape import KeyShape
-from starskel.files.project import Project
-from starskel.files.step import Link, Step
+from starskel.files.projects.key_shape import KeyShape
+from starskel.files.projects.project import Project
+from starskel.files.projects.step import Link, Step
 from starskel.polygon import Polygon
 from tests.app.driver import CONTROL, LEFT, Driver
 

@@ -23,10 +23,10 @@ from app.view.files.waiting import Waiting
 from app.view.main_window import MainWindow
 from app.view.pictures.trace_dialog import TraceDialog
 from starskel.errors import InvalidFile, told
-from starskel.files.examples import example
-from starskel.files.picture import Picture
-from starskel.files.project import Project
-from starskel.files.project_file import write_project
+from starskel.files.projects.examples import example
+from starskel.files.projects.picture import Picture
+from starskel.files.projects.project import Project
+from starskel.files.projects.project_file import write_project
 from starskel.files.raster_writing import png_of
 from starskel.reading.readers import read_shapes
 from tests.app.driver import Driver

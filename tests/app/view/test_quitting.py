@@ -6,7 +6,7 @@ from random import Random
 
 import pytest
 
-from starskel.files.examples import example_names
+from starskel.files.projects.examples import example_names
 from tests.app.program import program
 
 LONGEST = 1500

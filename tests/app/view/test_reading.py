@@ -11,9 +11,9 @@ from PySide6.QtWidgets import QMessageBox, QWidget
 from app.view.files import files
 from app.view.status import Status
 from starskel.errors import Cancelled
-from starskel.files.examples import example
-from starskel.files.project import Project
-from starskel.files.project_file import read_project, write_project
+from starskel.files.projects.examples import example
+from starskel.files.projects.project import Project
+from starskel.files.projects.project_file import read_project, write_project
 from starskel.task import Task
 from tests.app.driver import CONTROL, SQUARE, Driver
 

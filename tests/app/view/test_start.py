@@ -1,7 +1,7 @@
 import pytest
 
 from app.view.start import FIRST_EXAMPLE
-from starskel.files.examples import example_names
+from starskel.files.projects.examples import example_names
 from tests.app.driver import Driver
 
 

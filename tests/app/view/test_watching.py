@@ -11,10 +11,10 @@ from app.session import USUAL_METHODS, Session
 from app.view.main_window import MainWindow
 from app.view.panels.panels import columns_for
 from app.view.wording.fitting_label import FittingLabel
-from starskel.files.examples import example
-from starskel.files.key_shape import KeyShape
-from starskel.files.project import Project
-from starskel.files.step import Step
+from starskel.files.projects.examples import example
+from starskel.files.projects.key_shape import KeyShape
+from starskel.files.projects.project import Project
+from starskel.files.projects.step import Step
 from starskel.polygon import Polygon
 from tests.app.driver import CONTROL, LEFT, PLAIN, TRIANGLE, Driver
 

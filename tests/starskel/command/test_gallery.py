@@ -9,7 +9,7 @@ import pytest
 
 from starskel.blending import COMPARED
 from starskel.cli import main
-from starskel.files.examples import example, resource_folder
+from starskel.files.projects.examples import example, resource_folder
 from tests.starskel.command.test_verbs import LETTERS, texts
 
 HAND = str(resource_folder() / "examples" / "hand.json")

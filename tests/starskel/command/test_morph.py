@@ -7,13 +7,13 @@ import pytest
 
 from starskel.cli import main
 from starskel.easing import Easing
-from starskel.files.key_shape import KeyShape
-from starskel.files.picture import Picture
-from starskel.files.project import Project
-from starskel.files.project_file import write_project
+from starskel.files.projects.key_shape import KeyShape
+from starskel.files.projects.picture import Picture
+from starskel.files.projects.project import Project
+from starskel.files.projects.project_file import write_project
+from starskel.files.projects.step import Link, Step
 from starskel.files.raster import read_image
 from starskel.files.raster_writing import png_of, write_image
-from starskel.files.step import Link, Step
 from starskel.polygon import Polygon
 from tests.starskel.files.moving import read_animation
 from tests.starskel.images.drawn import waves

@@ -9,8 +9,8 @@ import pytest
 
 import starskel
 from starskel.cli import main
-from starskel.files.examples import resource_folder
 from starskel.files.multi_pairs import read_multi_pairs
+from starskel.files.projects.examples import resource_folder
 from starskel.shapes.structure import structures_at
 from tests.starskel.export.rendering import needs_ghostscript, rendered_postscript
 from tests.starskel.files.test_multi_pairs import MULTI

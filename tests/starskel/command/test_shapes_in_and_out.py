@@ -11,7 +11,7 @@ import pytest
 import shapely
 
 from starskel.cli import main
-from starskel.files.project_file import read_project
+from starskel.files.projects.project_file import read_project
 from starskel.reading.readers import read_shapes
 
 ICONS = Path(__file__).parents[2] / "files" / "icons"

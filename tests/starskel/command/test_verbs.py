@@ -12,9 +12,9 @@ import pytest
 import starskel
 from starskel.blending import METHODS
 from starskel.cli import main
-from starskel.files.examples import resource_folder
-from starskel.files.project import Project
-from starskel.files.project_file import read_project, write_project
+from starskel.files.projects.examples import resource_folder
+from starskel.files.projects.project import Project
+from starskel.files.projects.project_file import read_project, write_project
 from tests.starskel.export.rendering import needs_ghostscript, rendered_postscript
 
 SHAPES = Path(__file__).parents[2] / "shapes"

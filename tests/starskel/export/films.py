@@ -8,7 +8,7 @@ import starskel
 from starskel.easing import Easing
 from starskel.export.film import Film, Scene, Track
 from starskel.export.settings import Settings
-from starskel.files.examples import example
+from starskel.files.projects.examples import example
 from starskel.images.placed import PlacedImage
 
 SLOW_START = Easing((0.5, 0.0), (1.0, 1.0))

@@ -12,7 +12,7 @@ import pytest
 from PIL import Image
 
 from starskel.errors import InvalidFile
-from starskel.files.project_file import read_project
+from starskel.files.projects.project_file import read_project
 from starskel.files.raster import image_of, read_image
 from tests.fuzzing.readers import READERS
 

@@ -6,11 +6,11 @@ import pytest
 
 from starskel.errors import InvalidFile
 from starskel.files.image_pairs import picture_of, read_image_pairs
-from starskel.files.key_shape import KeyShape
-from starskel.files.picture import Picture
-from starskel.files.project import Project
+from starskel.files.projects.key_shape import KeyShape
+from starskel.files.projects.picture import Picture
+from starskel.files.projects.project import Project
+from starskel.files.projects.step import Step
 from starskel.files.raster_writing import png_of, write_image
-from starskel.files.step import Step
 from starskel.polygon import Polygon
 from tests.starskel.images.drawn import waves
 

@@ -16,7 +16,7 @@ from starskel.files.file_name import file_name_of, file_names_of
 from starskel.files.image_pairs import read_image_pairs
 from starskel.files.multi_pairs import read_multi_pairs
 from starskel.files.pairs import read_pairs
-from starskel.files.project_file import read_project
+from starskel.files.projects.project_file import read_project
 from starskel.files.raster_writing import write_image
 from starskel.reading.readers import read_content
 from tests.starskel.images.drawn import waves

@@ -9,7 +9,7 @@ from PIL import Image, ImageDraw, ImageFont
 
 from starskel.cli import main
 from starskel.errors import InvalidFile
-from starskel.files.project_file import read_project
+from starskel.files.projects.project_file import read_project
 from starskel.reading.readers import read_shapes
 
 FONT = next(Path("/usr/share/fonts").rglob("DejaVuSans.ttf"), Path("no font"))

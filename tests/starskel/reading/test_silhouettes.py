@@ -7,7 +7,7 @@ from PIL import Image, ImageDraw
 
 from starskel.cli import main
 from starskel.errors import InvalidFile
-from starskel.files.project_file import read_project
+from starskel.files.projects.project_file import read_project
 from starskel.reading.readers import read_shapes
 
 RING = shapely.Point(100, 80).buffer(60).difference(shapely.Point(100, 80).buffer(25))

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import starskel
-from starskel.files.examples import example
+from starskel.files.projects.examples import example
 from tests.starskel.shapes.regions import parts_in_a_row
 
 EXAMPLES = ("letters-a-r", "letters-i-j", "figure-9-fish")

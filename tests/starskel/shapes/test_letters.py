@@ -5,7 +5,7 @@ import pytest
 import shapely
 
 import starskel
-from starskel.files.examples import example, example_names
+from starskel.files.projects.examples import example, example_names
 
 LETTERS = [name for name in example_names() if name.startswith("letters-")]
 METHODS = ("stitched", "rigid", "star-skeleton", "certified")

@@ -3,7 +3,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from starskel.files.examples import example
+from starskel.files.projects.examples import example
 from starskel.quality import Crossing, measure
 from starskel.shapes.blend import blend
 from starskel.shapes.shape import Shape

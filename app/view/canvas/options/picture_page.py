@@ -12,7 +12,7 @@ from app.session import Session
 from app.tools.verbs.picture import centre_picture, fade_picture, resize_picture, turn_picture
 from app.view.canvas.options.placement_page import Measured, PlacementPage
 from app.view.commands.actions import Actions
-from starskel.files.picture import Picture
+from starskel.files.projects.picture import Picture
 
 SMALLEST = 0.01
 """The smallest width and height that can be typed."""

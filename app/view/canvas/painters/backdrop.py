@@ -11,7 +11,7 @@ from app.view.painting.camera import Camera
 from app.view.painting.drawing import polygon_of
 from app.view.painting.pictures import image_of
 from starskel.arrays import Floats
-from starskel.files.picture import Picture
+from starskel.files.projects.picture import Picture
 
 FAINT = 0.3
 """How much of what is cut off is seen while a cropped picture is placed."""

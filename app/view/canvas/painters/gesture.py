@@ -15,7 +15,7 @@ from app.view.painting.drawing import faded, pen, point_of, polygon_of, ring_of
 from app.view.painting.theme import Theme
 from app.view.wording import words
 from starskel.arrays import Floats
-from starskel.files.picture import Picture
+from starskel.files.projects.picture import Picture
 
 
 class GesturePainter:

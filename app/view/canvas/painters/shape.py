@@ -11,7 +11,7 @@ from app.view.canvas.painters.gesture import square
 from app.view.canvas.painters.paint_context import PaintContext
 from app.view.painting.drawing import faded, pen, point_of, ring_of
 from app.view.painting.parts import paint_region, regions
-from starskel.files.key_shape import Part
+from starskel.files.projects.key_shape import Part
 
 MANY = 30
 """Selected vertices are drawn smaller from so many on."""

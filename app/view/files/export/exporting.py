@@ -16,8 +16,8 @@ from app.view.painting.display import Display
 from app.view.timeline.player import Player
 from starskel.errors import Cancelled, StarskelError
 from starskel.export.write import paths_of
-from starskel.files.part_looks import part_looks
-from starskel.files.project import letter
+from starskel.files.projects.part_looks import part_looks
+from starskel.files.projects.project import letter
 
 translate = QCoreApplication.translate
 

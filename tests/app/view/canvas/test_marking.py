@@ -4,7 +4,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.view.wording import words
 from starskel.errors import InvalidMarks
-from starskel.files.examples import example
+from starskel.files.projects.examples import example
 from tests.app.driver import CONTROL, Driver
 
 

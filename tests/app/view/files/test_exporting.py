@@ -26,7 +26,7 @@ from app.view.files.export.look_fields import LookFields
 from app.view.files.export.times_field import TimesField
 from app.view.files.waiting import Waiting
 from starskel.easing import Easing
-from starskel.files.examples import example
+from starskel.files.projects.examples import example
 from starskel.sheet.drawing import Stroke
 from starskel.sheet.keyframe import Shown
 from starskel.sheet.style import Look

@@ -21,9 +21,9 @@ from app.view.files.dialogs import PairDialog, SaveDialog
 from app.view.files.export import exporting
 from app.view.files.remembered import last_folder
 from app.view.main_window import MainWindow
-from starskel.files.examples import example
 from starskel.files.pairs import ShapePair, write_pairs
-from starskel.files.project_file import read_project
+from starskel.files.projects.examples import example
+from starskel.files.projects.project_file import read_project
 from starskel.files.raster_writing import write_image
 from tests.app.driver import CONTROL, SHIFT, SQUARE, Driver, name_file, type_name
 from tests.starskel.images.drawn import waves

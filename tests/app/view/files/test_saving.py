@@ -20,9 +20,9 @@ from app.view.files.dialogs import folder_with_room
 from app.view.files.recovery_dialog import RecoveryDialog
 from app.view.files.waiting import Waiting
 from app.view.start import begin
-from starskel.files.examples import example
 from starskel.files.file_name import file_name_of
-from starskel.files.project_file import read_project, write_project
+from starskel.files.projects.examples import example
+from starskel.files.projects.project_file import read_project, write_project
 from tests.app.driver import CONTROL, SQUARE, Driver, name_file
 from tests.disks import filled, read_only, small_disk
 

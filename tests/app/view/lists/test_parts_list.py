@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QColorDialog, QComboBox, QLineEdit, QWidget
 from app.view.lists.parts_list import PartsTable
 from app.view.lists.parts_model import NAME, SOURCE, TARGET
 from app.view.main_window import MainWindow
-from starskel.files.key_shape import KeyShape
-from starskel.files.project import Project
-from starskel.files.step import Link, Step
+from starskel.files.projects.key_shape import KeyShape
+from starskel.files.projects.project import Project
+from starskel.files.projects.step import Link, Step
 from tests.app.driver import CONTROL, LEFT, SHIFT, Driver
 from tests.app.view.faces import FACE, LEFT_EYE, METHODS, RIGHT_EYE, box, drag, ends, go_to, table
 

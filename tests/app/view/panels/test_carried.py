@@ -7,11 +7,11 @@ import pytest
 from PySide6.QtGui import QColor, QImage
 
 from app.view.panels.frame_view import FrameView
-from starskel.files.key_shape import KeyShape
-from starskel.files.picture import Picture
-from starskel.files.project import Project
+from starskel.files.projects.key_shape import KeyShape
+from starskel.files.projects.picture import Picture
+from starskel.files.projects.project import Project
+from starskel.files.projects.step import Step
 from starskel.files.raster_writing import png_of
-from starskel.files.step import Step
 from starskel.polygon import Polygon
 from tests.app.driver import Driver
 

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QSpinBox, QToolButton
 
 from starskel.blending.star_skeleton import StarSkeletonBlend
 from starskel.cli import main
-from starskel.files.examples import example
+from starskel.files.projects.examples import example
 from starskel.shapes.structure import Structure, structures_at
 from tests.app.driver import LEFT, PLAIN, Driver
 

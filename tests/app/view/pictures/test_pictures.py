@@ -15,7 +15,7 @@ from app.view.painting.camera import Camera
 from app.view.painting.pictures import LARGEST, picture_of
 from app.view.painting.theme import theme_of
 from starskel.errors import InvalidFile
-from starskel.files.picture import Picture
+from starskel.files.projects.picture import Picture
 from tests.app.driver import CONTROL, LEFT, PLAIN, SHIFT, SQUARE, Driver, name_file
 
 CAMERA = Camera(400, 300, 2, (50, 50))

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QDialogButtonBox, QLabel, QS
 from app.model import placing
 from app.model.selection import Selection
 from app.view.pictures.trace_dialog import TraceDialog
-from starskel.files.picture import Picture
+from starskel.files.projects.picture import Picture
 from starskel.files.raster_writing import png_of
 from tests.app.driver import CONTROL, SQUARE, Driver
 

@@ -9,10 +9,10 @@ from PySide6.QtWidgets import QDoubleSpinBox
 
 from app.view.sequence.key_strip import KeyStrip
 from app.view.sequence.strip_layout import StripLayout
-from starskel.files.key_shape import KeyShape
-from starskel.files.project import Project
-from starskel.files.project_file import read_project
-from starskel.files.step import Step
+from starskel.files.projects.key_shape import KeyShape
+from starskel.files.projects.project import Project
+from starskel.files.projects.project_file import read_project
+from starskel.files.projects.step import Step
 from starskel.polygon import Polygon
 from tests.app.driver import CONTROL, LEFT, PLAIN, SHIFT, SQUARE, TRIANGLE, Driver
 

@@ -5,7 +5,7 @@ from PySide6.QtTest import QTest
 
 from app.view.timeline.chart_layout import LANE, ChartLayout
 from app.view.wording.verdicts import Span, crossing_spans, next_crossing
-from starskel.files.examples import example
+from starskel.files.projects.examples import example
 from starskel.quality import Report
 from starskel.quality.report import Crossing
 from tests.app.driver import LEFT, PLAIN, Driver

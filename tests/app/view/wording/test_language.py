@@ -19,7 +19,7 @@ from app.view.wording import language, words
 from app.view.wording.counts import COUNTS
 from app.view.wording.verdicts import summaries
 from starskel.errors import InvalidFile, StarskelError, either, told
-from starskel.files.examples import resource_folder
+from starskel.files.projects.examples import resource_folder
 from starskel.polygon import Polygon
 from tests.app.driver import Driver
 from tests.app.view.wording.test_verdicts import STILL

@@ -17,7 +17,7 @@ from app.view.files.dialogs import PairDialog, ask_about_changes, complain
 from app.view.main_window import MainWindow
 from app.view.pictures.trace_dialog import TraceDialog
 from starskel.errors import InvalidFile, told
-from starskel.files.picture import Picture
+from starskel.files.projects.picture import Picture
 from starskel.files.raster_writing import png_of
 from tests.app.driver import Driver
 from tests.app.pseudo import Pseudo

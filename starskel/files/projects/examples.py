@@ -4,10 +4,10 @@ import re
 from pathlib import Path
 
 from starskel.errors import InvalidFile
-from starskel.files.project import Project
-from starskel.files.project_file import read_project
+from starskel.files.projects.project import Project
+from starskel.files.projects.project_file import read_project
 
-_PACKAGE = Path(__file__).resolve().parent.parent
+_PACKAGE = Path(__file__).resolve().parents[2]
 
 
 def resource_folder() -> Path:

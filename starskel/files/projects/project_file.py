@@ -13,9 +13,9 @@ from starskel.blending import METHODS
 from starskel.easing import Easing
 from starskel.errors import InvalidFile, InvalidMarks, InvalidPolygon, told
 from starskel.files.documents import check_format, write_document
-from starskel.files.key_shape import KeyShape, Part
-from starskel.files.project import Project, letter
-from starskel.files.project_document import (
+from starskel.files.projects.key_shape import KeyShape, Part
+from starskel.files.projects.project import Project, letter
+from starskel.files.projects.project_document import (
     FORMAT,
     VERSION,
     LinkEntry,
@@ -24,9 +24,9 @@ from starskel.files.project_document import (
     ShapeEntry,
     StepEntry,
 )
-from starskel.files.project_versions import read_up_to_date
+from starskel.files.projects.project_versions import read_up_to_date
+from starskel.files.projects.step import Link, Step
 from starskel.files.shapes import as_given, polygon_of, rows_of
-from starskel.files.step import Link, Step
 from starskel.limits import DOCUMENT_RINGS, Tally
 from starskel.task import UNWATCHED, Task
 

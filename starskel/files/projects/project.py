@@ -6,10 +6,10 @@ from typing import TypeAlias
 
 from starskel.correspondence.marks import Mark
 from starskel.errors import InvalidFile, told
-from starskel.files.key_shape import KeyShape
 from starskel.files.multi_pairs import MultiPair
 from starskel.files.pairs import ShapePair
-from starskel.files.step import Link, Step
+from starskel.files.projects.key_shape import KeyShape
+from starskel.files.projects.step import Link, Step
 from starskel.polygon import Polygon
 from starskel.shapes.shape import Shape
 

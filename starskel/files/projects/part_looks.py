@@ -1,7 +1,7 @@
 """How the parts of a project look on their way from one key shape to the next."""
 
-from starskel.files.key_shape import KeyShape
-from starskel.files.step import Step
+from starskel.files.projects.key_shape import KeyShape
+from starskel.files.projects.step import Step
 from starskel.sheet.style import PartLook
 
 

@@ -2,8 +2,8 @@ import pytest
 
 from starskel.crossings import crossing_edges
 from starskel.errors import InvalidFile
-from starskel.files.examples import example, example_names
 from starskel.files.multi_pairs import MultiPair
+from starskel.files.projects.examples import example, example_names
 
 
 def test_the_first_example_is_the_arm():

@@ -8,8 +8,8 @@ import msgspec
 from starskel.correspondence.marks import Mark
 from starskel.errors import InvalidFile, NewerFile, told
 from starskel.files.documents import read_document
-from starskel.files.picture import Picture, Share
-from starskel.files.project_document import (
+from starskel.files.projects.picture import Picture, Share
+from starskel.files.projects.project_document import (
     VERSION,
     Duration,
     LinkEntry,

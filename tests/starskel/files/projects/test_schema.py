@@ -6,8 +6,8 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from starskel.files.documents import document_text
-from starskel.files.examples import example, example_names, resource_folder
-from starskel.files.project_file import project_schema, write_project
+from starskel.files.projects.examples import example, example_names, resource_folder
+from starskel.files.projects.project_file import project_schema, write_project
 
 SCHEMA = resource_folder() / "project.schema.json"
 

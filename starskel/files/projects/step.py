@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from starskel.correspondence.marks import Mark, checked_marks
 from starskel.easing import EVEN, Easing
 from starskel.errors import InvalidMarks, told
-from starskel.files.key_shape import KeyShape
+from starskel.files.projects.key_shape import KeyShape
 
 Point = tuple[float, float]
 

@@ -6,11 +6,11 @@ import pytest
 
 from starskel.easing import Easing
 from starskel.errors import InvalidFile
-from starskel.files.key_shape import KeyShape, Part
-from starskel.files.picture import Picture
-from starskel.files.project import Project, letter
-from starskel.files.project_file import read_project, write_project
-from starskel.files.step import Link, Step
+from starskel.files.projects.key_shape import KeyShape, Part
+from starskel.files.projects.picture import Picture
+from starskel.files.projects.project import Project, letter
+from starskel.files.projects.project_file import read_project, write_project
+from starskel.files.projects.step import Link, Step
 from starskel.polygon import Polygon
 
 TRIANGLE = Polygon([[0, 0], [1, 0], [0.1, 1 / 3]])
@@ -47,7 +47,7 @@ TURNED = Project(
     (KeyShape((Part(SQUARE),), Picture(b"none", (2, 2), (4, 2), rotation=0.25, cropped=True)), SQUARED),
     (Step((Link(0, 0),)),),
 )
-FILES = Path(__file__).parents[2] / "files"
+FILES = Path(__file__).parents[3] / "files"
 OLD = FILES / "project-version-1.json"
 
 

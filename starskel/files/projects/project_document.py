@@ -5,8 +5,8 @@ from typing import Annotated
 import msgspec
 
 from starskel.correspondence.marks import Mark
-from starskel.files.key_shape import Colour
-from starskel.files.picture import Picture, Share
+from starskel.files.projects.key_shape import Colour
+from starskel.files.projects.picture import Picture, Share
 from starskel.files.shapes import Row
 
 FORMAT = "starskel-project"

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import msgspec
 
-from starskel.files.picture import Picture
+from starskel.files.projects.picture import Picture
 from starskel.polygon import Polygon
 from starskel.shapes.shape import Shape
 

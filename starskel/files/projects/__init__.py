@@ -1,0 +1,1 @@
+"""Projects: what the editor has open, and the files that keep it."""
