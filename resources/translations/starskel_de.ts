@@ -441,11 +441,11 @@
     </message>
     <message>
         <source>{count} methods do not go into one such file</source>
-        <translation>{count} Verfahren passen nicht in eine solche Datei</translation>
+        <translation>{count} Methoden passen nicht in eine solche Datei</translation>
     </message>
     <message>
         <source>choose one method, and a file for each</source>
-        <translation>wählen Sie ein Verfahren, und für jedes eine eigene Datei</translation>
+        <translation>wählen Sie eine Methode, und für jede eine eigene Datei</translation>
     </message>
     <message>
         <source>a geometry has coordinates beyond all numbers</source>
@@ -917,7 +917,7 @@
     </message>
     <message>
         <source>choose another method, such as stitched, add marks, or widen the narrowest places</source>
-        <translation>wählen Sie eine andere Methode wie stitched, setzen Sie mehr Marken oder verbreitern Sie die engsten Stellen</translation>
+        <translation>wählen Sie eine andere Methode wie „vernäht“, setzen Sie mehr Marken oder verbreitern Sie die engsten Stellen</translation>
     </message>
     <message>
         <source>two rings come too near to each other</source>
@@ -997,7 +997,7 @@
     </message>
     <message>
         <source>simplify the shapes, or take a method that needs no pieces</source>
-        <translation>vereinfachen Sie die Formen oder nehmen Sie ein Verfahren ohne Teile</translation>
+        <translation>vereinfachen Sie die Formen oder nehmen Sie eine Methode ohne Teile</translation>
     </message>
     <message>
         <source>vertices to be cut into pieces</source>
@@ -1051,7 +1051,7 @@
     </message>
     <message>
         <source>{keys}, then click a vertex and the one that it becomes.</source>
-        <translation>{keys}, dann eine Ecke anklicken und die, zu der sie wird.</translation>
+        <translation>{keys}, dann einen Eckpunkt anklicken und den, zu dem er wird.</translation>
     </message>
     <message>
         <source>{keys} writes keyframes, an animation or numbers.</source>
@@ -1079,7 +1079,7 @@
     </message>
     <message>
         <source>All methods side by side: does a blend cross itself?</source>
-        <translation>Alle Verfahren nebeneinander: schneidet sich ein Übergang?</translation>
+        <translation>Alle Methoden nebeneinander: schneidet sich ein Übergang?</translation>
     </message>
     <message>
         <source>Play</source>

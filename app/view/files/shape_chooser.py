@@ -159,7 +159,7 @@ class ShapeChooser(QDialog):
         layout.addWidget(self._filter)
         layout.addLayout(columns, 1)
         if reading.notes:
-            notes = Label("\n".join(str(words.retold(note)) for note in reading.notes), wrapped=True)
+            notes = Label("\n".join(map(words.sentence, reading.notes)), wrapped=True)
             layout.addWidget(notes)
         layout.addWidget(self._buttons)
         next(iter(self._lists.values())).setFocus()

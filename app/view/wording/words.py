@@ -176,13 +176,13 @@ def reason(error: Exception, document: Document) -> str:
 
 def sentences(error: StarskelError, between: str) -> str:
     """Give what is wrong and how to mend it, a sentence each."""
-    return between.join(_sentence(text) + "." for text in (error.what, error.mend) if text)
+    return between.join(sentence(text) for text in (error.what, error.mend) if text)
 
 
-def _sentence(text: object) -> str:
-    """Give a text of the library in the user's language; a name that it begins with stays as it is."""
+def sentence(text: object) -> str:
+    """Give a text of the library as a sentence in the user's language; a name that it begins with stays."""
     said = str(retold(text))
-    return said if _begins_with_a_name(text) else _capitalised(said)
+    return f"{said if _begins_with_a_name(text) else _capitalised(said)}."
 
 
 def _begins_with_a_name(text: object) -> bool:

@@ -95,7 +95,7 @@ def test_shapes_are_chosen_by_keys_and_what_was_mended_is_told(driver: Driver) -
         dialog.activateWindow()  # no window manager does so here
         assert QTest.qWaitForWindowActive(dialog)
         assert "three.svg holds 3 shapes." in said(dialog)
-        assert "texts in the file were left out" in said(dialog)
+        assert "Texts in the file were left out." in said(dialog)
         assert "crossed" not in said(dialog)
         assert source.hasFocus()
         press(dialog, Qt.Key.Key_Down)
