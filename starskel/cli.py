@@ -38,7 +38,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     argv : sequence of str, optional
         The words behind the command's name; else those of the process.
     """
-    parser = _parser()
+    parser = command_parser()
     if "_ARGCOMPLETE" in os.environ:  # a shell asks how a word may go on
         import_module("argcomplete").autocomplete(parser)
     arguments = parser.parse_args(argv)
@@ -66,7 +66,8 @@ class _Version(argparse.Action):
         parser.exit()
 
 
-def _parser() -> argparse.ArgumentParser:
+def command_parser() -> argparse.ArgumentParser:
+    """Give the parser of all verbs."""
     parser = argparse.ArgumentParser(
         prog="starskel",
         description="Blend one drawn shape into another by the star-skeleton.",

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import starskel
-from starskel.cli import _parser, main
+from starskel.cli import command_parser, main
 from starskel.files.projects.examples import resource_folder
 
 TESTS = Path(__file__).parents[1]
@@ -45,7 +45,7 @@ PARTS = {
 COMMANDS = sorted(
     {
         command.partition("  #")[0].strip()
-        for text in (_parser().epilog, *(page.read_text("utf-8") for page in (README, *PAGES)))
+        for text in (command_parser().epilog, *(page.read_text("utf-8") for page in (README, *PAGES)))
         for command in re.findall(r"^ {2,}starskel (.+)$", text, re.MULTILINE)
     }
 )
@@ -105,7 +105,7 @@ def test_the_options_of_the_manual_are_there(page):
 
 
 def _render_help():
-    (verbs,) = [action for action in _parser()._actions if action.choices]
+    (verbs,) = [action for action in command_parser()._actions if action.choices]
     return verbs.choices["render"].format_help()
 
 

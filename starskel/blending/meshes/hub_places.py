@@ -29,7 +29,7 @@ _FLATTEST = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
-class _Fans:
+class FreeFans:
     """Fans of free hubs: each triangle's first corner is a hub, and belongs to it alone.
 
     Attributes
@@ -81,7 +81,7 @@ def with_hubs_moved(shapes: Shapes, triangles: Indices, free: int, task: Task) -
     Cancelled
         If the task is told to stop.
     """
-    fans = _free_fans(shapes, triangles, free)
+    fans = free_fans(shapes, triangles, free)
     for _ in range(_STEPS if len(fans.hubs) else 0):
         task.reach(0)
         before = fans.distortions(fans.shapes)
@@ -92,16 +92,16 @@ def with_hubs_moved(shapes: Shapes, triangles: Indices, free: int, task: Task) -
     return fans.shapes
 
 
-def _free_fans(shapes: Shapes, triangles: Indices, free: int) -> _Fans:
+def free_fans(shapes: Shapes, triangles: Indices, free: int) -> FreeFans:
     """Leave out hubs that have triangles without area: their kernels have none either."""
     own = triangles[triangles[:, 0] >= free]
     fixed = np.unique(own[~shapes.have_area(own), 0])
     own = own[~np.isin(own[:, 0], fixed)]
     hubs, owners = np.unique(own[:, 0], return_inverse=True)
-    return _Fans(shapes, hubs, own, owners, _SPREAD * np.multiply(*shapes.areas(own)))
+    return FreeFans(shapes, hubs, own, owners, _SPREAD * np.multiply(*shapes.areas(own)))
 
 
-def _damped(fans: _Fans, steps: Floats, before: Floats) -> tuple[Floats, Floats]:
+def _damped(fans: FreeFans, steps: Floats, before: Floats) -> tuple[Floats, Floats]:
     """Halve each hub's step until the distortion of its fan grows less; give it up in the end."""
     scale = np.ones(len(before))
     for _ in range(_HALVINGS):
@@ -114,12 +114,12 @@ def _damped(fans: _Fans, steps: Floats, before: Floats) -> tuple[Floats, Floats]
     return steps * scale[:, None], np.where(worse, before, after)
 
 
-def _newton_steps(fans: _Fans) -> Floats:
+def _newton_steps(fans: FreeFans) -> Floats:
     """Give the steps to where the second-order models of the fans' distortions are least.
 
     Along directions in which a model is not convex, its curvature is turned over.
     """
-    gradients, curvatures = _derivatives(fans)
+    gradients, curvatures = derivatives(fans)
     values, vectors = np.linalg.eigh(curvatures)
     values = np.abs(values)
     values = np.maximum(values, np.maximum(_FLATTEST * values.max(axis=1, keepdims=True), ROUNDING))
@@ -127,7 +127,7 @@ def _newton_steps(fans: _Fans) -> Floats:
     return np.asarray(-np.einsum("hij,hj->hi", vectors, along))
 
 
-def _derivatives(fans: _Fans) -> tuple[Floats, Floats]:
+def derivatives(fans: FreeFans) -> tuple[Floats, Floats]:
     """Give the gradients (h, 4) and the second derivatives (h, 4, 4) of the fans' distortions.
 
     A triangle's distortion is a product: of its stretch and of the mean reciprocal of its areas.

@@ -38,13 +38,13 @@ def transfer(board: Board, whole: Piece, task: Task) -> list[Piece]:
     Cancelled
         If the task is told to stop.
     """
-    cuts, side = _fewer_cuts(board, whole, task.part(0, 0.3))
-    parts = _draw(board, whole, cuts, side, task.part(0.3, 0.7))
+    cuts, side = fewer_cuts(board, whole, task.part(0, 0.3))
+    parts = drawn_parts(board, whole, cuts, side, task.part(0.3, 0.7))
     task.reach(0.7)
     return list(chain.from_iterable(climb(board, parts, by_fan, task.quiet)))
 
 
-def _fewer_cuts(board: Board, whole: Piece, task: Task) -> tuple[list[Cut], int]:
+def fewer_cuts(board: Board, whole: Piece, task: Task) -> tuple[list[Cut], int]:
     """Give the cuts of the polygon that needs fewer, and which one that is."""
     grounds = board.triangulated([whole], task.quiet)
     seen = [visibility(ground, task) for ground in grounds]
@@ -79,7 +79,7 @@ def _price(ground: Triangulation, free: Flags) -> Price:
     return price
 
 
-def _draw(board: Board, whole: Piece, cuts: list[Cut], side: int, task: Task) -> list[Piece]:
+def drawn_parts(board: Board, whole: Piece, cuts: list[Cut], side: int, task: Task) -> list[Piece]:
     """Cut a ring of both polygons along diagonals of one, drawn into the other as paths; give the parts.
 
     The diagonal that halves a part best is drawn first: paths through one corridor then share it evenly.

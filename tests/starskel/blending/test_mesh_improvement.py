@@ -6,7 +6,7 @@ import pytest
 from starskel.blending.meshes.distortion import Shapes
 from starskel.blending.meshes.fans import fans_of
 from starskel.blending.meshes.flips import flipped
-from starskel.blending.meshes.hub_places import _derivatives, _free_fans, with_hubs_moved
+from starskel.blending.meshes.hub_places import derivatives, free_fans, with_hubs_moved
 from starskel.polar import as_complex
 from starskel.task import Task
 from tests.starskel.blending.cases import CASES, decomposition_of
@@ -43,7 +43,7 @@ def test_moved_hubs_distort_less_and_no_triangle_loses_its_area(name):
 @pytest.mark.parametrize("name", ["run-walk", "hand-open", "random-16-7"])
 def test_hubs_come_to_rest(name):
     rows, triangles, shapes = fans_for(name)
-    fans = _free_fans(shapes, triangles, rows)
+    fans = free_fans(shapes, triangles, rows)
     assert len(fans.hubs)
     moved = with_hubs_moved(shapes, triangles, rows, Task())
     there = fans.moved(
@@ -59,8 +59,8 @@ def test_hubs_come_to_rest(name):
     before, least = fans.distortions(shapes), fans.distortions(there)
     assert (least <= before).all()
     assert (least < 0.999 * before).any()
-    at_rest = _free_fans(there, triangles, rows)
-    slopes, curvatures = _derivatives(
+    at_rest = free_fans(there, triangles, rows)
+    slopes, curvatures = derivatives(
         type(fans)(there, at_rest.hubs, at_rest.triangles, at_rest.owners, fans.spread)
     )
     gains = np.einsum("hi,hij,hj->h", slopes, np.linalg.inv(curvatures), slopes)
@@ -69,8 +69,8 @@ def test_hubs_come_to_rest(name):
 
 def test_derivatives_are_those_of_the_distortion():
     rows, triangles, shapes = fans_for("run-walk")
-    fans = _free_fans(shapes, triangles, rows)
-    slopes, curvatures = _derivatives(fans)
+    fans = free_fans(shapes, triangles, rows)
+    slopes, curvatures = derivatives(fans)
     width = 1e-4
     axes = width * np.eye(4)
 

@@ -74,8 +74,8 @@ def test_parts_are_convex_in_one_polygon(pair):
     """Before they are cut into star pieces every vertex of a part sees the whole of it."""
     whole = tuple(range(len(pair)))
     board = Board(points_of(pair.source), points_of(pair.target))
-    cuts, side = transfer._fewer_cuts(board, whole, UNWATCHED)
-    drawn = transfer._draw(board, whole, cuts, side, UNWATCHED)
+    cuts, side = transfer.fewer_cuts(board, whole, UNWATCHED)
+    drawn = transfer.drawn_parts(board, whole, cuts, side, UNWATCHED)
     assert len(drawn) == len(cuts) + 1
     for piece in drawn:
         ring = np.array(piece)
