@@ -86,6 +86,8 @@ class ShapeFigures(msgspec.Struct, frozen=True):
     harmful_frames: int
     area_deviation: float
     length_deviation: float
+    angle_deviation: float
+    roughness: float
     overlap: float
     how: str | None
     areas: list[float]
@@ -108,6 +110,8 @@ class ShapeFigures(msgspec.Struct, frozen=True):
             harmful_frames=len(report.crossing_frames),
             area_deviation=report.area_deviation,
             length_deviation=report.length_deviation,
+            angle_deviation=report.angle_deviation,
+            roughness=report.roughness,
             overlap=report.overlap,
             how=report.how,
             areas=report.areas.tolist(),

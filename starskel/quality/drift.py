@@ -1,9 +1,14 @@
 """How far frames drift from what is between source and target in even steps."""
 
+from collections.abc import Callable, Sequence
+
 import numpy as np
 
 from starskel.arrays import Floats
 from starskel.outline import edge_lengths, turning_angles
+
+_EVEN_STEPS = 50
+"""Steps over which a vertex should move evenly."""
 
 
 def linear(start: Floats, end: Floats, times: Floats) -> Floats:
@@ -18,26 +23,44 @@ def length_deviations(lengths: Floats, times: Floats) -> Floats:
     return np.asarray(np.abs(lengths - expected).sum(axis=1) / expected.sum(axis=1))
 
 
-def angle_deviation(rings: Floats, times: Floats) -> float:
+def angle_deviation(rings: Sequence[Floats], times: Floats) -> float:
     """Give the mean by which turning angles of (k, n, 2) rings differ from their linear blend, in radians.
 
-    Angles count by the lengths of the edges beside them.
+    Angles count by the lengths of the edges beside them; a ring that is a point has the angles that it has
+    at the other end.
     """
-    angles, lengths = turning_angles(rings), edge_lengths(rings[[0, -1]])
-    differences = np.angle(np.exp(1j * (angles - linear(angles[0], angles[-1], times))))
+    differences, weights = zip(*(_turns(ring, times) for ring in rings), strict=True)
+    off, weight = np.concatenate(differences, axis=1), np.concatenate(weights, axis=1)
+    return float(((weight * off).sum(axis=1) / weight.sum(axis=1)).mean())
+
+
+def _turns(ring: Floats, times: Floats) -> tuple[Floats, Floats]:
+    """Give how far turning angles are off in each frame, and how much they count, (k, n)."""
+    angles, lengths = turning_angles(ring), edge_lengths(ring[[0, -1]])
+    start, end = angles[0 if lengths[0].any() else -1], angles[-1 if lengths[1].any() else 0]
+    differences = np.angle(np.exp(1j * (angles - linear(start, end, times))))
     adjacent = lengths + np.roll(lengths, 1, axis=1)
-    weights = linear(adjacent[0], adjacent[1], times)
-    return float(((weights * np.abs(differences)).sum(axis=1) / weights.sum(axis=1)).mean())
+    return np.abs(differences), linear(adjacent[0], adjacent[1], times)
 
 
-def roughness(rings: Floats) -> float:
-    """Give how far a vertex is at most from the middle of where it is one frame before and after.
+def roughness(rings_at: Callable[[Floats], list[Floats]], rings: Sequence[Floats]) -> float:
+    """Give how far a vertex is at most from the middle of where it is 1/50 before and after.
 
     Parameters
     ----------
-    rings : (k, n, 2) array
-        Frames at even steps, source and target at the ends; in parts of the longer side of their boxes.
+    rings_at : callable
+        Gives the rings at some times, as `Blend.rings`.
+    rings : sequence of (k, n, 2) arrays
+        What it gives at k times evenly spread over [0, 1]; computed anew where they are not among these.
+
+    Returns
+    -------
+    float, in parts of the longer side of the boxes of source and target
     """
-    strayed = rings[1:-1] - (rings[:-2] + rings[2:]) / 2
-    size = np.ptp(rings[[0, -1]], axis=1).max()
+    stride, rest = divmod(len(rings[0]) - 1, _EVEN_STEPS)
+    if not stride or rest:
+        stride, rings = 1, rings_at(np.linspace(0, 1, _EVEN_STEPS + 1))
+    rows = np.concatenate([ring[::stride] for ring in rings], axis=1)
+    strayed = rows[1:-1] - (rows[:-2] + rows[2:]) / 2
+    size = np.ptp(rows[[0, -1]], axis=1).max()
     return float(np.hypot(strayed[..., 0], strayed[..., 1]).max() / size)

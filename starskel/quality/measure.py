@@ -28,9 +28,6 @@ MOST_FRAMES = 100_000
 _AT_ONCE = 1 << 15
 """So many points of frames are computed between two questions whether to stop."""
 
-_EVEN_STEPS = 50
-"""Steps over which a vertex should move evenly."""
-
 
 @overload
 def measure(
@@ -105,9 +102,9 @@ def _measured(blend: Blend, times: Floats, task: Task) -> Report:
     last.reach(0)
     lengths = length_deviations(edge_lengths(rings), times)
     last.reach(0.3)
-    angle = angle_deviation(rings, times)
+    angle = angle_deviation([rings], times)
     last.reach(0.7)
-    rough = _roughness(blend, rings)
+    rough = roughness(blend.rings, [rings])
     last.reach(1)
     areas = signed_areas(rings)
     return Report(
@@ -173,10 +170,3 @@ def _crossings(rings: Floats, times: Floats, task: Task) -> tuple[Crossing, ...]
             places, natural = crossing_places(rings[k]), in_layers(rings[k], frame)
             found.append(Crossing(float(times[k]), int(k), places, natural))
     return tuple(found)
-
-
-def _roughness(blend: Blend, rings: Floats) -> float:
-    stride, rest = divmod(len(rings) - 1, _EVEN_STEPS)
-    if stride and not rest:
-        return roughness(rings[::stride])
-    return roughness(blend.frames(np.linspace(0, 1, _EVEN_STEPS + 1)))

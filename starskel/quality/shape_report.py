@@ -8,7 +8,7 @@ import shapely
 
 from starskel.arrays import Flags, Floats, ReadOnlyArrays
 from starskel.outline import cross_themselves, edge_lengths, signed_areas
-from starskel.quality.drift import length_deviations, linear
+from starskel.quality.drift import angle_deviation, length_deviations, linear, roughness
 from starskel.shapes.certified.blend import CertifiedShapeBlend
 from starskel.shapes.shape_blend import ShapeBlend
 from starskel.task import Task
@@ -35,6 +35,11 @@ class ShapeReport(ReadOnlyArrays):
     length_deviations : (k,) array
         How much edge lengths differ in sum from the linear blend of the lengths, as a part of the sum of
         these.
+    angle_deviation : float
+        As in `Report`, of all rings together; of a ring that is a point at one end the turning angles should
+        stay as they are at the other.
+    roughness : float
+        As in `Report`, of the worst vertex of all.
     overlaps : (k,) array
         How much of the parts' area lies on other parts, as a part of the mean of the areas at the ends.
     proven : bool
@@ -61,6 +66,8 @@ class ShapeReport(ReadOnlyArrays):
     areas: Floats
     area_deviations: Floats
     length_deviations: Floats
+    angle_deviation: float
+    roughness: float
     overlaps: Floats
     proven: bool
     how: str | None = None
@@ -125,6 +132,8 @@ def measure_shapes(blend: ShapeBlend, times: Floats, task: Task) -> ShapeReport:
         areas=areas,
         area_deviations=areas / whole - 1,
         length_deviations=lengths,
+        angle_deviation=angle_deviation(rings, times),
+        roughness=roughness(blend.rings, rings),
         overlaps=overlaps / whole.mean(),
         proven=isinstance(blend, CertifiedShapeBlend) or bool((crosses | strays).any()),
         how=blend.how,

@@ -74,28 +74,24 @@ def figures(report: "Report | ShapeReport") -> tuple[str, ...]:
 
 
 class FinerWords(NamedTuple):
-    """What is measured of blends of polygons only, in words; "-" where it is not known."""
+    """What else is measured, in words; of the inside "-" where it is not known, as of shapes."""
 
-    angle: str = "-"
-    stretch: str = "-"
-    spread: str = "-"
-    folded: str = "-"
-    roughness: str = "-"
+    angle: str
+    stretch: str
+    spread: str
+    folded: str
+    roughness: str
 
 
 def finer_words(report: "Report | ShapeReport") -> FinerWords:
     """Say how far angles drift, how the inside is distorted, and how uneven the motion is."""
-    if report.of == "shape":
-        return FinerWords()
-    words = FinerWords(
-        angle=f"{math.degrees(report.angle_deviation):.1f}°", roughness=f"{100 * report.roughness:.2f} %"
-    )
-    if report.inside is None:
-        return words
-    return words._replace(
-        stretch=percent(report.inside.stretch - 1),
-        spread=percent(report.inside.spread - 1),
-        folded=percent(report.inside.folded),
+    inside = None if report.of == "shape" else report.inside
+    return FinerWords(
+        angle=f"{math.degrees(report.angle_deviation):.1f}°",
+        stretch="-" if inside is None else percent(inside.stretch - 1),
+        spread="-" if inside is None else percent(inside.spread - 1),
+        folded="-" if inside is None else percent(inside.folded),
+        roughness=f"{100 * report.roughness:.2f} %",
     )
 
 

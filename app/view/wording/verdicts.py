@@ -64,25 +64,19 @@ def summaries(report: "AnyReport") -> tuple[str, ...]:
 def details(report: "AnyReport") -> str:
     """Give all figures, a line each."""
     drift = figure(percent(report.area_deviation)), figure(percent(report.length_deviation))
+    angle = figure(f"{np.degrees(report.angle_deviation):.1f}")
     lines = [
         *(_shape_crossings(report) if report.of == "shape" else _crossings(report)),
         translate("Verdict", "Area drifts by up to {p}.").format(p=drift[0]),
         translate("Verdict", "Edge lengths drift by {p} on average.").format(p=drift[1]),
+        translate("Verdict", "Turning angles drift by {a} degrees on average.").format(a=angle),
     ]
-    if report.of != "shape":
-        lines += _angles(report)
-    return "\n".join(lines)
-
-
-def _angles(report: "Report") -> list[str]:
-    angle = figure(f"{np.degrees(report.angle_deviation):.1f}")
-    lines = [translate("Verdict", "Turning angles drift by {a} degrees on average.").format(a=angle)]
-    if report.negative_lengths:
+    if report.of != "shape" and report.negative_lengths:
         negative = figure(spans(report.times.tolist(), report.negative_lengths))
         lines.append(
             translate("Verdict", "Some edge has a negative length at t = {times}.").format(times=negative)
         )
-    return lines
+    return "\n".join(lines)
 
 
 def _shape_crossings(report: "ShapeReport") -> list[str]:

@@ -117,15 +117,16 @@ def test_shapes_are_measured_ring_by_ring_and_parts_beside_each_other(capsys):
     assert (figures["simple"], figures["proven"], figures["holes_inside"]) == (True, True, True)
     assert figures["how"] == report.how
     assert figures["areas"] == report.areas.tolist()
-    assert figures["area_deviation"] == report.area_deviation
+    for name in ("area_deviation", "length_deviation", "angle_deviation", "roughness", "overlap"):
+        assert figures[name] == getattr(report, name)
 
 
 def test_the_table_leaves_out_what_only_polygons_have(capsys):
     fish = str(resource_folder() / "examples" / "figure-9-fish.json")
     assert main(["measure", fish, "--method", "vertex", "--method", "star-skeleton", "--frames", "5"]) == 0
     straight, together = capsys.readouterr().out.splitlines()[1:3]
-    assert re.search(r"vertex +\d+ % .* - +- +- +simple$", straight)
-    assert re.search(r"star-skeleton +0\.0 % .* - +- +- +simple$", together)
+    assert re.search(r"vertex +\d+ % +\d+ % +0\.9° +- +0\.07 % +simple$", straight)
+    assert re.search(r"star-skeleton +0\.0 % +0\.0 % +0\.0° +- +\d\.\d\d % +simple$", together)
 
 
 def test_a_gallery_shows_shapes_beside_their_parts_moved_separately(tmp_path):

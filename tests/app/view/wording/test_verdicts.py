@@ -52,3 +52,12 @@ def test_parts_that_lie_over_each_other_on_the_way_are_told() -> None:
     beside = blend(match(shape, shape, pairing=[(0, 0), (1, 1)]), method="vertex")
     assert summaries(measure(across))[0] == "simple, parts overlap by 50 %, area 0.0 %"
     assert summaries(measure(beside))[0] == "simple, area 0.0 %"
+
+
+def test_how_far_angles_drift_is_told_of_shapes_too() -> None:
+    roof = Polygon([(20, 0), (30, 0), (30, 10), (25, 10), (20, 10)])
+    house = Polygon([(20, 0), (30, 0), (30, 10), (25, 20), (20, 10)])
+    both = match(Shape([SQUARE, roof]), Shape([SQUARE, house]), [[(0, 0)]] * 2, pairing=[(0, 0), (1, 1)])
+    report = measure(blend(both, method="vertex"))
+    assert report.angle_deviation > 0.01
+    assert f"angles drift by {np.degrees(report.angle_deviation):.1f} degrees" in details(report)
