@@ -95,8 +95,8 @@ _VERBS = (
         options.add_convert,
     ),
     ("info", "print what files hold", options.add_info),
+    ("measure", "print what is measured of every pair and method", options.add_measure),
     ("batch", "blend and measure thousands of pairs in parallel; it can be resumed", options.add_batch),
     ("completion", "print the script that lets a shell complete words", options.add_completion),
-    ("measure", "print what is measured of every pair and method", options.add_measure),
 )
 """Each verb, what it does, and what it understands; the module of its name in command/verbs runs it."""

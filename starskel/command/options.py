@@ -153,14 +153,14 @@ def add_info(parser: argparse.ArgumentParser) -> None:
 def add_batch(parser: argparse.ArgumentParser) -> None:
     """Say what batch understands."""
     parser.description = (
-        "Blend and measure all pairs of a folder, or of a manifest, in parallel. RESULTS gets results.jsonl,"
+        "Blend and measure all pairs of a folder or a file, in parallel. RESULTS gets results.jsonl,"
         " a line for each pair, and index.html. Called again it goes on where it was interrupted."
     )
     parser.add_argument(
         "place",
         type=Path,
-        metavar="DIR-OR-MANIFEST",
-        help='a folder, or a file of lines like {"file": "pairs.json", "id": "a"} or'
+        metavar="DIR-OR-FILE",
+        help='a folder, a project, a file of pairs, or one of lines like {"file": "pairs.json", "id": "a"} or'
         ' {"source": "a.svg", "target": "b.svg"}',
     )
     parser.add_argument(

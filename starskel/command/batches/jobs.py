@@ -1,4 +1,4 @@
-"""Jobs: what is to be done, found in a folder or named by a manifest."""
+"""Jobs: what is to be done, found in a folder or a file, or named by a manifest."""
 
 import hashlib
 from collections.abc import Callable, Iterator, Sequence
@@ -51,7 +51,9 @@ class _Line(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def jobs_of(place: Path) -> Iterator[Job]:
-    """Give the jobs of a folder, all files of pairs and projects in it, or of a manifest of JSON lines.
+    """Give the jobs of a folder, a file of pairs or a project, or a manifest.
+
+    Of a folder these are all files of pairs and projects in it; a manifest has a line of JSON for each job.
 
     Raises
     ------
@@ -62,7 +64,14 @@ def jobs_of(place: Path) -> Iterator[Job]:
         for path in sorted(place.rglob("*.json")):
             if _is_known(path):
                 yield from _file_jobs(path, path.relative_to(place).as_posix())
-        return
+    elif _is_known(place):
+        yield from _file_jobs(place, place.name)
+    else:
+        yield from _listed_jobs(place)
+
+
+def _listed_jobs(place: Path) -> Iterator[Job]:
+    """Give the jobs of a manifest."""
     for number, line in enumerate(read_bytes(place).splitlines(), 1):
         if not line.strip():
             continue

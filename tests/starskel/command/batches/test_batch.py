@@ -158,6 +158,12 @@ def test_failures_are_named_the_others_go_on_and_failures_can_be_tried_again(cap
     assert len(results()) == 6
 
 
+def test_a_file_of_pairs_is_a_batch_by_itself():
+    write("in", 3)
+    assert batch("in/pairs.json") == 0
+    assert sorted(line["key"] for line in results()) == [f"pairs.json#p{k}" for k in range(3)]
+
+
 def test_a_manifest_names_files_pairs_and_drawings():
     write("in", 3)
     club, gear = ICONS / "bootstrap-suit-club-fill.svg", ICONS / "bootstrap-gear-fill.svg"
