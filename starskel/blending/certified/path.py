@@ -51,39 +51,73 @@ def path(decomposition: Decomposition, guide: Guide, task: Task) -> tuple[Chain,
     StarskelError
         If the shapes are too narrow somewhere for floating point.
     """
-    source, target = decomposition.pair.source, decomposition.pair.target
-    ends, size = (as_complex(source), as_complex(target)), extent(source, target)
-    chains, way, field = [[Key(0.0, source)], [Key(1.0, target)]], Way.AS_IT_IS, None
-    resisted: set[tuple[float, float]] = set()
-    roomy = Room.of(ends, KEPT * size)
-    for room, work, part in (
-        (roomy, WORK, task.part(0.05, 0.3)),
-        (None, MORE_WORK, task.part(0.3, 0.55)),
-    ):
-        chains = filled(chains, guide, room.links if room else safe, part.part(0, 0.2))
-        if len(chains) > 1:
-            field = field or Field.of(metric_of(decomposition, size, part.part(0.2, 0.2)), ends)
-            pull = Pull(field, room, Allowance(work))
-            narrower = narrowed(chains, Following(guide, pull), MARGINS, part.part(0.2, 1), resisted)
-            way = way if len(narrower) == len(chains) else Way.REPAIRED
-            chains = narrower
-        if len(chains) == 1 and proven(chains[0], part.part(1, 1)):
-            break
-    else:
-        way = Way.CONVEX
-        field = field or Field.of(metric_of(decomposition, size, task.part(0.55, 0.55)), ends)
-        morphing = Morphing(decomposition, guide, field, roomy)
-        chains = narrowed(chains, morphing, MORPHED_MARGINS, task.part(0.55, 0.9))
-    keys = chains[0]
-    if field and way is Way.REPAIRED and len(chains) == 1:  # where only a morph leads, nothing widens
-        ample = Room.of(ends, AMPLE_ROOM * size)
-        keys = Relaxing(guide, field, ample, ample)(keys, task.part(0.9, 1))
-    if len(chains) > 1 or not proven(keys, task.part(1, 1)):
+    search = _Search(decomposition, guide)
+    roomy, plain = task.part(0.05, 0.3), task.part(0.3, 0.55)
+    if not (search.follow(search.roomy, WORK, roomy) or search.follow(None, MORE_WORK, plain)):
+        search.morph(task.part(0.55, 0.9))
+    keys = search.widened(task.part(0.9, 1))
+    if len(search.chains) > 1 or not proven(keys, task.part(1, 1)):
         raise StarskelError(
             told("no blend without crossings was found: a shape is all but as narrow as rounding"),
             told("widen its narrowest parts, or add marks"),
         )
-    return keys, way
+    return keys, search.way
+
+
+class _Search:
+    """The chains of safe links that have been found, and how; one that leads all the way is what is sought.
+
+    Attributes
+    ----------
+    chains : list of Chain
+        There are gaps between one and the next.
+    way : Way
+    roomy : Room
+        What is to be kept of the room that source and target have.
+    """
+
+    def __init__(self, decomposition: Decomposition, guide: Guide) -> None:
+        self._decomposition, self._guide = decomposition, guide
+        source, target = decomposition.pair.source, decomposition.pair.target
+        self._ends, self._size = (as_complex(source), as_complex(target)), extent(source, target)
+        self._field: Field | None = None
+        self._resisted: set[tuple[float, float]] = set()
+        self.chains: list[Chain] = [[Key(0.0, source)], [Key(1.0, target)]]
+        self.way = Way.AS_IT_IS
+        self.roomy = Room.of(self._ends, KEPT * self._size)
+
+    def follow(self, room: Room | None, work: int, task: Task) -> bool:
+        """Take wanted frames where they are safe, follow them elsewhere; tell whether that led all the way."""
+        self.chains = filled(self.chains, self._guide, room.links if room else safe, task.part(0, 0.2))
+        if len(self.chains) > 1:
+            pull = Pull(self._field_of(task.part(0.2, 0.2)), room, Allowance(work))
+            following = Following(self._guide, pull)
+            narrower = narrowed(self.chains, following, MARGINS, task.part(0.2, 1), self._resisted)
+            self.way = self.way if len(narrower) == len(self.chains) else Way.REPAIRED
+            self.chains = narrower
+        return len(self.chains) == 1 and proven(self.chains[0], task.part(1, 1))
+
+    def morph(self, task: Task) -> None:
+        """Bridge what gaps are left by convex combination morphs."""
+        self.way = Way.CONVEX
+        field = self._field_of(task.part(0, 0))
+        morphing = Morphing(self._decomposition, self._guide, field, self.roomy)
+        self.chains = narrowed(self.chains, morphing, MORPHED_MARGINS, task)
+
+    def widened(self, task: Task) -> Chain:
+        """Give the first chain, widened where it was repaired; where only a morph leads, nothing widens."""
+        keys = self.chains[0]
+        if self.way is not Way.REPAIRED or len(self.chains) > 1:
+            return keys
+        ample = Room.of(self._ends, AMPLE_ROOM * self._size)
+        return Relaxing(self._guide, self._field_of(task), ample, ample)(keys, task)
+
+    def _field_of(self, task: Task) -> Field:
+        """Give what moves frames; it is prepared when it is first needed."""
+        if self._field is None:
+            metric = metric_of(self._decomposition, self._size, task)
+            self._field = Field.of(metric, self._ends)
+        return self._field
 
 
 def proven(keys: Chain, task: Task) -> bool:
