@@ -87,7 +87,7 @@ class _Search:
         self.roomy = Room.of(self._ends, KEPT * self._size)
 
     def follow(self, room: Room | None, work: int, task: Task) -> bool:
-        """Take wanted frames where they are safe, follow them elsewhere; tell whether that led all the way."""
+        """Take wanted frames where they are safe, else follow them; tell whether that led all the way."""
         self.chains = filled(self.chains, self._guide, room.links if room else safe, task.part(0, 0.2))
         if len(self.chains) > 1:
             pull = Pull(self._field_of(task.part(0.2, 0.2)), room, Allowance(work))
