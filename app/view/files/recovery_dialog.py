@@ -44,12 +44,7 @@ class RecoveryDialog(QDialog):
         heading = Label(
             self.tr("The program ended unexpectedly. What was not saved then has been kept:"), wrapped=True
         )
-        self.documents = QListWidget()
-        self.documents.setAccessibleName(self.tr("Recovered documents"))
-        self.documents.setIconSize(PICTURE)
-        self.documents.setSpacing(2)
-        self.documents.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.documents.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+        self.documents = self._document_list()
         for each in kept:
             self._add(each)
         self.documents.itemDoubleClicked.connect(self._open)
@@ -73,6 +68,15 @@ class RecoveryDialog(QDialog):
         layout.addWidget(buttons)
         self.open_button.setDefault(True)
         self.documents.setCurrentRow(0)
+
+    def _document_list(self) -> QListWidget:
+        documents = QListWidget()
+        documents.setAccessibleName(self.tr("Recovered documents"))
+        documents.setIconSize(PICTURE)
+        documents.setSpacing(2)
+        documents.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        documents.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+        return documents
 
     def _button(self, box: QDialogButtonBox, text: str, role: QDialogButtonBox.ButtonRole) -> QPushButton:
         button = box.addButton(text, role)

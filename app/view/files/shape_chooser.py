@@ -135,11 +135,7 @@ class ShapeChooser(QDialog):
         self.setWindowTitle(self.tr("Choose shapes"))
         self.resize(320 * len(sides) + 40, 560)
         heading = Label(COUNTS.shapes_in(path.name, len(reading.shapes)), wrapped=True)
-        self._filter = QLineEdit()
-        self._filter.setPlaceholderText(self.tr("Filter"))
-        self._filter.setAccessibleName(self.tr("Filter"))
-        self._filter.setClearButtonEnabled(True)
-        self._filter.textChanged.connect(self._narrow)
+        self._filter = self._filter_field()
         several = optional and len(sides) > 1
         self._lists = {side: ShapeList(side, reading.shapes, optional=several) for side in sides}
         self._mended = {side: Label(wrapped=True) for side in sides}
@@ -164,6 +160,14 @@ class ShapeChooser(QDialog):
         layout.addWidget(self._buttons)
         next(iter(self._lists.values())).setFocus()
         self._follow()
+
+    def _filter_field(self) -> QLineEdit:
+        field = QLineEdit()
+        field.setPlaceholderText(self.tr("Filter"))
+        field.setAccessibleName(self.tr("Filter"))
+        field.setClearButtonEnabled(True)
+        field.textChanged.connect(self._narrow)
+        return field
 
     @property
     def chosen(self) -> dict[Side, NamedShape]:

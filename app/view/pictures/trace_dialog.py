@@ -55,14 +55,7 @@ class TraceDialog(QDialog):
         self._errands.done.connect(self._take)
         self._waiting = False
         self._preview = TracePreview(picture, side)
-        self._by = QComboBox()
-        for by, text in (
-            ("alpha", self.tr("What is opaque")),
-            ("dark", self.tr("What is dark")),
-            ("light", self.tr("What is light")),
-        ):
-            self._by.addItem(text, by)
-        self._by.setCurrentIndex(-1)  # until the picture has told what suggests itself
+        self._by = self._by_field()
         self._level, self._percent = self._slider("level", 1, 99), Label()
         self._level.setValue(round(100 * LEVEL))
         self._tolerance, self._pixels = self._slider("tolerance", 0, STEPS), Label()
@@ -107,6 +100,17 @@ class TraceDialog(QDialog):
         self._errands.close()
         super().done(result)
 
+    def _by_field(self) -> QComboBox:
+        field = QComboBox()
+        for by, text in (
+            ("alpha", self.tr("What is opaque")),
+            ("dark", self.tr("What is dark")),
+            ("light", self.tr("What is light")),
+        ):
+            field.addItem(text, by)
+        field.setCurrentIndex(-1)  # until the picture has told what suggests itself
+        return field
+
     def _slider(self, name: str, low: int, high: int) -> QSlider:
         slider = QSlider(Qt.Orientation.Horizontal)
         slider.setObjectName(name)
@@ -117,6 +121,21 @@ class TraceDialog(QDialog):
         self._tolerance.setValue(round(STEPS * log(pixels / FINEST) / log(COARSEST / FINEST)))
 
     def _arrange(self) -> None:
+        kind = QDialogButtonBox.StandardButton
+        buttons = QDialogButtonBox(kind.Ok | kind.Cancel)
+        self._ok = buttons.button(kind.Ok)
+        self._ok.setText(self.tr("Trace &Outline"))
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self._preview, 1)
+        layout.addWidget(self._verdict)
+        layout.addLayout(self._form())
+        layout.addWidget(buttons)
+        self.resize(560, 640)
+
+    def _form(self) -> QFormLayout:
+        """Give what can be set, a row each, and beside sliders what they say."""
         form = QFormLayout()
         for label, control, figure in (
             (self.tr("&Trace"), self._by, None),
@@ -136,18 +155,7 @@ class TraceDialog(QDialog):
             form.addRow(name, row)
         for box in (self._several, self._holes):
             box.setAccessibleName(box.text())
-        kind = QDialogButtonBox.StandardButton
-        buttons = QDialogButtonBox(kind.Ok | kind.Cancel)
-        self._ok = buttons.button(kind.Ok)
-        self._ok.setText(self.tr("Trace &Outline"))
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self._preview, 1)
-        layout.addWidget(self._verdict)
-        layout.addLayout(form)
-        layout.addWidget(buttons)
-        self.resize(560, 640)
+        return form
 
     @Slot()
     def _trace(self) -> None:
