@@ -70,25 +70,22 @@ def comparison_sheet(title: str, rows: Sequence[Row], titled: bool = True, look:
     width = left + columns * (grid.width + look.gap) - look.gap + look.margin
     head, letters = (_TITLE, style.TITLE_SIZE) if titled else (_HEAD, style.TEXT_SIZE)
     height = look.margin + head + len(rows) * pitch + look.margin - look.gap / 2
-
-    def middle(column: int) -> float:
-        return left + column * (grid.width + look.gap) + grid.width / 2
+    middles = [left + column * (grid.width + look.gap) + grid.width / 2 for column in range(columns)]
+    base = height - look.margin - letters
 
     def items() -> Iterator[Item]:
         yield from paper(width, height, look)
         if titled:
-            place = (look.margin, height - look.margin - letters)
-            yield Label(title, place, style.TITLE_SIZE, style.INK, bold=True)
-        for column, frame in enumerate(rows[0].frames):
-            place = (middle(column), height - look.margin - letters)
-            yield Label(f"t = {frame.t:.3g}", place, style.TEXT_SIZE, style.FAINT, "middle")
+            yield Label(title, (look.margin, base), style.TITLE_SIZE, style.INK, bold=True)
+        for x, frame in zip(middles, rows[0].frames, strict=True):
+            yield Label(f"t = {frame.t:.3g}", (x, base), style.TEXT_SIZE, style.FAINT, "middle")
         for number, row in enumerate(rows):
             top = height - look.margin - head - number * pitch
             yield Line(np.array([[look.margin, top], [width - look.margin, top]]), style.HAIRLINE)
             y = top - pitch / 2
             yield from _heading(row, look.margin, y + text / 2)
-            for column, frame in enumerate(row.frames):
-                yield grid.cell(f"{row.name}-{column}", frame, (middle(column), y))
+            for column, (x, frame) in enumerate(zip(middles, row.frames, strict=True)):
+                yield grid.cell(f"{row.name}-{column}", frame, (x, y))
 
     return Drawing(title, width, height, tuple(items()))
 

@@ -101,22 +101,8 @@ def checked_pairing(source: Shape, target: Shape, pairing: Iterable[RingLink]) -
         is in no link, or a hole in several.
     """
     links = tuple(_as_link(link) for link in items(pairing, "the pairing", _PAIRS, InvalidMarks))
-    for side, (name, shape) in enumerate((("source", source), ("target", target))):
-        named = [ring for ring in (link[side] for link in links) if ring is not None]
-        for ring in named:
-            if not 0 <= ring < len(shape):
-                raise InvalidMarks(
-                    f"the pairing names ring {ring} of the {name}, which has {len(shape)}",
-                    f"give one from 0 to {len(shape) - 1}",
-                )
-        _check_holes(name, shape, named)
-        missing = sorted(set(range(len(shape))) - set(named))
-        if missing:
-            alone = (missing[0], None) if side == 0 else (None, missing[0])
-            raise InvalidMarks(
-                f"ring {missing[0]} of the {name} is in no pair",
-                f"pair it, or say by {alone} that it {'closes to' if side == 0 else 'grows from'} a point",
-            )
+    for side, shape in enumerate((source, target)):
+        _check_named(side, shape, [ring for ring in (link[side] for link in links) if ring is not None])
     for i, j in links:
         if i is not None and j is not None and (source.outer[i] < 0) != (target.outer[j] < 0):
             raise InvalidMarks(
@@ -127,6 +113,25 @@ def checked_pairing(source: Shape, target: Shape, pairing: Iterable[RingLink]) -
     if twice is not None:
         raise InvalidMarks(f"the pairing has {twice} twice", "give it once")
     return links
+
+
+def _check_named(side: int, shape: Shape, named: Sequence[int]) -> None:
+    """Check that all rings of a shape are named, and no others, and holes once."""
+    name = ("source", "target")[side]
+    for ring in named:
+        if not 0 <= ring < len(shape):
+            raise InvalidMarks(
+                f"the pairing names ring {ring} of the {name}, which has {len(shape)}",
+                f"give one from 0 to {len(shape) - 1}",
+            )
+    _check_holes(name, shape, named)
+    missing = sorted(set(range(len(shape))) - set(named))
+    if missing:
+        alone = (missing[0], None) if side == 0 else (None, missing[0])
+        raise InvalidMarks(
+            f"ring {missing[0]} of the {name} is in no pair",
+            f"pair it, or say by {alone} that it {'closes to' if side == 0 else 'grows from'} a point",
+        )
 
 
 def _check_holes(name: str, shape: Shape, named: Sequence[int]) -> None:
