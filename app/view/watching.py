@@ -71,6 +71,8 @@ class Watching(QObject):
             actions[name].setChecked(getattr(self._display.layers, name))
         self._session.blends.changed.connect(self._follow_results)
         self._player.playing_changed.connect(self.dress)
+        for canvas in self._canvases.values():
+            canvas.tapped.connect(actions["play"].trigger)
         self._follow_results()
         self.dress()
 

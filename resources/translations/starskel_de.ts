@@ -1399,8 +1399,8 @@
         <translation>&amp;Abspielen</translation>
     </message>
     <message>
-        <source>Play or pause</source>
-        <translation>Abspielen oder anhalten</translation>
+        <source>Play or pause; so does a tap of Space</source>
+        <translation>Abspielen oder anhalten, auch durch Tippen der Leertaste</translation>
     </message>
     <message>
         <source>Go to &amp;Source</source>

@@ -1,6 +1,7 @@
 """Canvas: one of the two shapes, to be looked at and edited."""
 
 from dataclasses import replace
+from time import monotonic
 
 import numpy as np
 from PySide6.QtCore import QPointF, Qt, Signal, Slot
@@ -40,6 +41,9 @@ LARGEST_MARGIN = 0.2
 NOTCH = 1.25
 """Zoom factor of one notch of the wheel."""
 
+TAP = 0.3
+"""Seconds for which Space is held at most where that is a tap; longer, it is held to pan."""
+
 KEYS = {
     Qt.Key.Key_Return: "enter",
     Qt.Key.Key_Enter: "enter",
@@ -57,6 +61,9 @@ class Canvas(QWidget):
     dropped = Signal(str, object)
     """The side, and the QMimeData that was dropped on it."""
 
+    tapped = Signal()
+    """Space was tapped."""
+
     def __init__(self, session: Session, side: Side, display: Display) -> None:
         super().__init__()
         self.side = side
@@ -66,7 +73,7 @@ class Canvas(QWidget):
         self._fits = True
         self._panning_from: QPointF | None = None
         self._panning_with = Qt.MouseButton.NoButton
-        self._space = False
+        self._space, self._space_since = False, 0.0
         self.setObjectName(f"{side}-canvas")
         self.setAccessibleName(words.side(side))
         self.setMouseTracking(True)
@@ -153,6 +160,7 @@ class Canvas(QWidget):
         self.setFocus(Qt.FocusReason.MouseFocusReason)
         if event.button() == Qt.MouseButton.MiddleButton or (self._space and self._is_left(event)):
             self._panning_from, self._panning_with = event.position(), event.button()
+            self._space_since = -TAP  # it was held down to pan
             self.setCursor(Qt.CursorShape.ClosedHandCursor)
         elif self._is_left(event):
             self._session.press(self._pointer(event))
@@ -185,7 +193,7 @@ class Canvas(QWidget):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         name = KEYS.get(Qt.Key(event.key()))
         if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
-            self._space = True
+            self._space, self._space_since = True, monotonic()
             self._show_cursor()
         elif name is not None:
             far = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
@@ -196,8 +204,11 @@ class Canvas(QWidget):
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
+            tapped = self._space and monotonic() - self._space_since < TAP
             self._space = False
             self._show_cursor()
+            if tapped:
+                self.tapped.emit()
         else:
             super().keyReleaseEvent(event)
 

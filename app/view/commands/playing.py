@@ -6,7 +6,10 @@ from app.view.commands.command import Command
 
 PLAYING = (
     Command(
-        "play", QT_TRANSLATE_NOOP("Command", "&Play"), QT_TRANSLATE_NOOP("Command", "Play or pause"), ("P",)
+        "play",
+        QT_TRANSLATE_NOOP("Command", "&Play"),
+        QT_TRANSLATE_NOOP("Command", "Play or pause; so does a tap of Space"),
+        ("P",),
     ),
     Command(
         "to-start",

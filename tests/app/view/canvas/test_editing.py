@@ -5,6 +5,7 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from app.view.canvas.canvas import TAP
 from tests.app.driver import CONTROL, LEFT, MIDDLE, PLAIN, SHIFT, SQUARE, Driver
 
 
@@ -130,6 +131,24 @@ def test_middle_button_and_space_pan(square: Driver, by_space: bool) -> None:
         QTest.keyRelease(canvas, Qt.Key.Key_Space)
     np.testing.assert_allclose(canvas.camera.to_document(160, 130), under)
     assert not square.session.selection
+
+
+def test_a_tap_of_space_plays_but_space_held_to_pan_does_not(driver: Driver) -> None:
+    driver.draw_both()
+    driver.wait_for_blends()
+    canvas, player = driver.window.canvases["source"], driver.window.player
+    for playing in (True, False):
+        QTest.keyClick(canvas, Qt.Key.Key_Space)
+        assert player.playing is playing
+    QTest.keyPress(canvas, Qt.Key.Key_Space)
+    QTest.mousePress(canvas, LEFT, PLAIN, QPoint(100, 100))
+    QTest.mouseRelease(canvas, LEFT, PLAIN, QPoint(100, 100))
+    QTest.keyRelease(canvas, Qt.Key.Key_Space)
+    assert not player.playing
+    QTest.keyPress(canvas, Qt.Key.Key_Space)
+    QTest.qWait(round(1100 * TAP))
+    QTest.keyRelease(canvas, Qt.Key.Key_Space)
+    assert not player.playing
 
 
 def test_a_vertex_is_let_go_though_the_view_is_panned_meanwhile(square: Driver) -> None:
