@@ -7,6 +7,7 @@ from PySide6.QtCore import Slot, qVersion
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QPlainTextEdit, QVBoxLayout, QWidget
 
+from app.view.asking import answers
 from app.view.wording.plain import Label
 
 PACKAGES = ("starskel", "PySide6-Essentials", "numpy", "scipy", "shapely")
@@ -42,11 +43,10 @@ class AboutDialog(QDialog):
         self.versions.setReadOnly(True)
         self.versions.setAccessibleName(self.tr("Versions"))
         self.versions.setObjectName("versions")
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons = answers(self, QDialogButtonBox.StandardButton.Close)
         copy = buttons.addButton(self.tr("&Copy Versions"), QDialogButtonBox.ButtonRole.ActionRole)
         copy.setObjectName("copy-versions")
         copy.clicked.connect(self._copy)
-        buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
         for widget in (text, self.versions, buttons):
             layout.addWidget(widget)

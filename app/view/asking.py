@@ -19,6 +19,14 @@ def asked(dialog: QDialog) -> int:
         dialog.deleteLater()
 
 
+def answers(dialog: QDialog, kinds: QDialogButtonBox.StandardButton) -> QDialogButtonBox:
+    """Give the buttons by which a dialog is answered."""
+    buttons = QDialogButtonBox(kinds)
+    buttons.accepted.connect(dialog.accept)
+    buttons.rejected.connect(dialog.reject)
+    return buttons
+
+
 def accepted(dialog: QDialog) -> bool:
     """Show a dialog until it is answered, and tell whether what is in it was accepted."""
     return asked(dialog) == QDialog.DialogCode.Accepted

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QPlainTextEdit, QVBoxLa
 from app.recovery.journal import log_fault
 from app.recovery.keeper import Keeper
 from app.view.about import versions
-from app.view.asking import asked
+from app.view.asking import answers, asked
 from app.view.wording.plain import Label
 
 
@@ -71,11 +71,10 @@ class FaultDialog(QDialog):
         self.report.setReadOnly(True)
         self.report.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
         self.report.setAccessibleName(self.tr("Report"))
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons = answers(self, QDialogButtonBox.StandardButton.Close)
         copy = buttons.addButton(self.tr("&Copy Report"), QDialogButtonBox.ButtonRole.ActionRole)
         copy.setObjectName("copy-report")
         copy.clicked.connect(self._copy)
-        buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
         for widget in (heading, self.state, use, self.report, buttons):
             layout.addWidget(widget)

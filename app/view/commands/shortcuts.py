@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.view.asking import answers
 from app.view.commands.finder import matches, plain
 from app.view.commands.table import COMMANDS
 from app.view.wording.plain import Label
@@ -98,10 +99,9 @@ class ShortcutsDialog(QDialog):
         row.addWidget(label)
         row.addWidget(self.keys, 1)
         row.addWidget(self.assign)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons = answers(self, QDialogButtonBox.StandardButton.Close)
         usual = buttons.addButton(self.tr("&Usual Shortcuts"), QDialogButtonBox.ButtonRole.ResetRole)
         usual.clicked.connect(self._reset)
-        buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
         layout.addWidget(self.filter)
         layout.addWidget(self.list, 1)

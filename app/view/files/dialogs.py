@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.view.asking import accepted, asked
+from app.view.asking import accepted, answers, asked
 from app.view.files.remembered import last_folder, remember_folder
 from app.view.wording import words
 from app.view.wording.plain import Label
@@ -248,9 +248,7 @@ class PairDialog(QDialog):
         self._list.setCurrentRow(0)
         self._list.itemDoubleClicked.connect(self.accept)
         kind = QDialogButtonBox.StandardButton
-        self._buttons = QDialogButtonBox(kind.Open | kind.Cancel)
-        self._buttons.accepted.connect(self.accept)
-        self._buttons.rejected.connect(self.reject)
+        self._buttons = answers(self, kind.Open | kind.Cancel)
         layout = QVBoxLayout(self)
         layout.addWidget(Label(self.tr("The file holds {count} pairs of shapes.").format(count=len(ids))))
         for widget in (self._filter, self._list, self._buttons):

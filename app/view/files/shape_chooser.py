@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.model.marks import Side
-from app.view.asking import accepted
+from app.view.asking import accepted, answers
 from app.view.files.word_field import WordField
 from app.view.painting.theme import theme_of
 from app.view.painting.thumbnail import paint_shape
@@ -147,9 +147,7 @@ class ShapeChooser(QDialog):
             own.choose(min(number, len(reading.shapes) - 1))
             own.currentItemChanged.connect(self._follow)
         kind = QDialogButtonBox.StandardButton
-        self._buttons = QDialogButtonBox(kind.Ok | kind.Cancel)
-        self._buttons.accepted.connect(self.accept)
-        self._buttons.rejected.connect(self.reject)
+        self._buttons = answers(self, kind.Ok | kind.Cancel)
         layout = QVBoxLayout(self)
         layout.addWidget(heading)
         layout.addWidget(self._filter)

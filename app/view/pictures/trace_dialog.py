@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from app.compute.errands import Errands, Outcome
 from app.compute.tracing import LEVEL, Traced, Tracer, TraceSettings
 from app.model.marks import Side
+from app.view.asking import answers
 from app.view.painting.pictures import image_of
 from app.view.painting.theme import theme_of
 from app.view.pictures.trace_preview import TracePreview
@@ -122,11 +123,9 @@ class TraceDialog(QDialog):
 
     def _arrange(self) -> None:
         kind = QDialogButtonBox.StandardButton
-        buttons = QDialogButtonBox(kind.Ok | kind.Cancel)
+        buttons = answers(self, kind.Ok | kind.Cancel)
         self._ok = buttons.button(kind.Ok)
         self._ok.setText(self.tr("Trace &Outline"))
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
         layout.addWidget(self._preview, 1)
         layout.addWidget(self._verdict)

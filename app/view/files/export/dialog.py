@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.export import FORMATS, Choice, ExportedStep, Layout
+from app.view.asking import answers
 from app.view.files.export.look_fields import LookFields
 from app.view.files.export.motion_fields import MotionFields
 from app.view.files.export.overlay_fields import OverlayFields
@@ -131,10 +132,8 @@ class ExportDialog(QDialog):
     def _arrange(self) -> None:
         form = self._form()
         kind = QDialogButtonBox.StandardButton
-        buttons = self._buttons = QDialogButtonBox(kind.Save | kind.Cancel)
+        buttons = self._buttons = answers(self, kind.Save | kind.Cancel)
         buttons.button(kind.Save).setText(self.tr("&Export…"))
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
         right = QVBoxLayout()
         right.addWidget(self._look)
         right.addSpacing(12)
