@@ -3891,6 +3891,14 @@
         <translation>kreuzungsfrei</translation>
     </message>
     <message>
+        <source>proven simple</source>
+        <translation>bewiesen kreuzungsfrei</translation>
+    </message>
+    <message>
+        <source>proven</source>
+        <translation>bewiesen</translation>
+    </message>
+    <message>
         <source>natural crossing, area {area}</source>
         <translation>natürliche Kreuzung, Fläche {area}</translation>
     </message>

@@ -1,7 +1,7 @@
 """Timeline: the clock's controls, and below them the chart over the same stretch of t."""
 
 from PySide6.QtCore import QPointF, QSize, Qt, Slot
-from PySide6.QtGui import QAction, QColor, QPainter, QPaintEvent
+from PySide6.QtGui import QAction, QColor, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QGridLayout,
@@ -23,6 +23,9 @@ from app.view.timeline.time_slider import TimeSlider
 from app.view.wording import words
 from app.view.wording.decimal_field import DecimalField
 from starskel.blending import METHODS
+
+ROOMY = 900
+"""Pixels of width from which buttons say in words what they do."""
 
 SPEEDS = (0.25, 0.5, 1.0, 2.0, 4.0)
 
@@ -47,10 +50,14 @@ class Timeline(QWidget):
         layout.addWidget(Legend(session), 1, 0)
         layout.addWidget(self.chart, 1, 1, 1, 1)
         self.add = _button(actions["shape-add"])
-        self.add.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         layout.addWidget(self.add, 1, 2, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop)
         layout.setColumnStretch(1, 1)
         player.t_changed.connect(self._follow)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave out what the button says where the slider needs the room."""
+        icon, text = Qt.ToolButtonStyle.ToolButtonIconOnly, Qt.ToolButtonStyle.ToolButtonTextBesideIcon
+        self.add.setToolButtonStyle(text if event.size().width() >= ROOMY else icon)
 
     def _controls(self, actions: Actions) -> QHBoxLayout:
         row = QHBoxLayout()

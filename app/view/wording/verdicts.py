@@ -35,12 +35,11 @@ def summaries(report: "AnyReport") -> tuple[str, ...]:
             translate("Verdict", "parts overlap"),
         )
     if kind == "simple":
-        proven = (translate("Verdict", "proven simple, area {area}").format(area=area),)
-        return (
-            *(proven if report.proven else ()),
-            translate("Verdict", "simple, area {area}").format(area=area),
-            translate("Verdict", "simple"),
-        )
+        usual = translate("Verdict", "simple, area {area}").format(area=area)
+        if not report.proven:
+            return usual, translate("Verdict", "simple")
+        proven = translate("Verdict", "proven simple, area {area}").format(area=area)
+        return proven, usual, translate("Verdict", "proven simple"), translate("Verdict", "proven")
     if kind == "natural":
         return (
             translate("Verdict", "natural crossing, area {area}").format(area=area),

@@ -16,7 +16,12 @@ def crossing(*moments: tuple[float, int | None, bool]) -> Report:
 
 
 def test_what_is_proven_is_called_so() -> None:
-    assert summaries(STILL) == ("proven simple, area 0.0 %", "simple, area 0.0 %", "simple")
+    assert summaries(STILL) == (
+        "proven simple, area 0.0 %",
+        "simple, area 0.0 %",
+        "proven simple",
+        "proven",
+    )
     assert summaries(replace(STILL, proven=False)) == ("simple, area 0.0 %", "simple")
     assert "proven for every t" in details(STILL)
     assert "No frame crosses itself." in details(replace(STILL, proven=False))
