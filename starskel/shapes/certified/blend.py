@@ -15,7 +15,9 @@ from starskel.arrays import Floats, read_only
 from starskel.blending.certified import Way
 from starskel.blending.certified.gaps import narrowed
 from starskel.blending.certified.keys import Chain, Guide, Key, between, chains_between
+from starskel.decomposition.canonical import canonical
 from starskel.errors import StarskelError, told
+from starskel.outline import signed_areas
 from starskel.shapes.body import Body
 from starskel.shapes.certified.joint_morph import MARGINS, JointMorphing
 from starskel.shapes.certified.joint_rings import JointRings
@@ -63,7 +65,7 @@ class CertifiedShapeBlend(ShapeBlend):
         self._stops = np.cumsum([len(body.part.pair) for body in bodies])[:-1]
         rings = JointRings([body.part for body in bodies])
         self.meeting_parts = rings.meeting
-        keys, morphed = _Proof(rings, self._all_rows, _names(bodies)).keys(task)
+        keys, morphed = _Proof(rings, self._all_rows, _names(bodies), _backwards(bodies)).keys(task)
         taken = {body.blend.how for body in bodies}
         self.how = Way.CONVEX if morphed else [way for way in Way if way in taken | {Way.AS_IT_IS}][-1]
         self.key_times = read_only(np.array([key.t for key in keys]))
@@ -83,6 +85,15 @@ class CertifiedShapeBlend(ShapeBlend):
         return np.split(between(*self._keys, ts), self._stops, axis=1)
 
 
+def _backwards(bodies: tuple[Body, ...]) -> bool:
+    """Tell whether to go from the target to the source: the same way, whichever of them is which."""
+    parts = [body.part for body in bodies if not body.part.alone]
+    if not parts:
+        return False
+    areas = np.array([signed_areas(part.rings(part.ends)[0]).sum() for part in parts])
+    return canonical(parts[int((areas / areas.max()).round(9).argmax())].pair).swapped
+
+
 def _names(bodies: tuple[Body, ...]) -> list[str]:
     """Name all rings as they are paired."""
     return [str(link) for body in bodies for link in body.part.links]
@@ -99,11 +110,14 @@ class _Proof:
         The frames that are wanted.
     names : list of str
         What the rings are called in errors.
+    backwards : bool
+        Whether they are sought from the target to the source.
     """
 
     rings: JointRings
     guide: Guide
     names: list[str]
+    backwards: bool
 
     def keys(self, task: Task) -> tuple[Chain, bool]:
         """Give the keys, and whether some are of a morph.
@@ -114,10 +128,15 @@ class _Proof:
             Where there are none.
         """
         self._check_nesting()
-        start, end = (Key(float(t), frame) for t, frame in enumerate(self.rings.ends))
+        keys, morphed = self._sought(task)
+        return ([Key(1 - key.t, key.frame) for key in keys[::-1]] if self.backwards else keys), morphed
+
+    def _sought(self, task: Task) -> tuple[Chain, bool]:
+        frames = self.rings.ends[::-1] if self.backwards else self.rings.ends
+        start, end = (Key(float(t), frame) for t, frame in enumerate(frames))
         first, last = self._beside(start, end, task), self._beside(end, start, task)
         linked, sound = self.rings.safe, self.rings.sound
-        chains = chains_between((first, last), self.guide, linked, task.part(0, 0.4), LINKS, sound)
+        chains = chains_between((first, last), self._wanted, linked, task.part(0, 0.4), LINKS, sound)
         whole = len(chains) == 1
         if not whole:
             gap = chains[0][-1].t, chains[1][0].t
@@ -127,6 +146,9 @@ class _Proof:
         ends = [start] if first is not start else [], [end] if last is not end else []
         return [*ends[0], *chains[0], *ends[1]], not whole
 
+    def _wanted(self, ts: Floats) -> Floats:
+        return self.guide(1 - ts if self.backwards else ts)
+
     def _beside(self, end: Key, other: Key, task: Task) -> Key:
         """Give a key linked to an end at which no ring is a point any more; the end itself, if none is."""
         if not len(self.rings.points(end.frame)):
@@ -135,7 +157,7 @@ class _Proof:
         while share >= CLOSEST:
             task.quiet.reach(0)
             t = end.t + share * (other.t - end.t)
-            frame = self.guide(np.array([t]))[0]
+            frame = self._wanted(np.array([t]))[0]
             if self.rings.sound(frame) and self.rings.safe(end.frame, frame):
                 return Key(t, frame)
             share /= 2
@@ -162,9 +184,10 @@ class _Proof:
     def _refuse(self, before: float, after: float) -> NoReturn:
         """Say which rings meet between two times, and where no way round them was found."""
         for t in np.linspace(before, after, LOOKED_AT).tolist():
-            crossing = self.rings.crossing(self.guide(np.array([t]))[0])
+            crossing = self.rings.crossing(self._wanted(np.array([t]))[0])
             if crossing and 0 < t < 1:
                 break
+        t = 1 - t if self.backwards else t
         raise StarskelError(
             told("{what} at t = {t:.3f}, and no way round was found", what=self._meeting(crossing), t=t),
             told("choose another method, such as stitched, add marks, or widen the narrowest places"),

@@ -27,6 +27,7 @@ from starskel.correspondence import Correspondence
 from starskel.decomposition import decompose_quickly
 from starskel.errors import Cancelled, StarskelError
 from starskel.polar import as_complex, as_points, turn_of
+from starskel.predicates import NEAR
 from starskel.shapes.certified.joint_rings import JointRings
 from starskel.shapes.holes.bridges import chain_of, halves
 from starskel.task import Task
@@ -111,7 +112,8 @@ def _surroundings(
     rows = np.concatenate([rings.rows_of(ring) for ring in layer])
     points = [as_complex(frame[rows]) for frame in frames]
     turn = _turn(*points)
-    places = _place(points[0], 0.0), _place(points[1], turn)
+    along = _lean(points[0])
+    places = _place(points[0], along), _place(points[1], along + turn)
     squares = [place.centre + place.scale * SQUARE for place in places]
     regions, parts = list(_regions(rings, layer)), []
     for number, region in enumerate(regions):
@@ -127,6 +129,14 @@ def _surroundings(
 def _turn(before: Complex, after: Complex) -> float:
     """Give by how much points turn as a whole."""
     return turn_of(complex(np.vdot(before - before.mean(), after - after.mean())))
+
+
+def _lean(points: Complex) -> float:
+    """Give a direction that turns and is mirrored as points are: in which those far out lie, if in any."""
+    around = points - points.mean()
+    around /= np.abs(around).max()
+    lean = complex((np.abs(around) ** 2 * around).mean())
+    return float(np.angle(lean)) if abs(lean) > NEAR else 0.0
 
 
 def _place(points: Complex, turn: float) -> SquareMap:

@@ -5,7 +5,8 @@ import pytest
 
 import starskel
 from starskel.files.projects.examples import example
-from tests.starskel.shapes.regions import parts_in_a_row
+from tests.starskel.shapes.drawn import moved
+from tests.starskel.shapes.regions import holed_pair, parts_in_a_row
 
 EXAMPLES = ("letters-a-r", "letters-i-j", "figure-9-fish")
 METHODS = ("stitched", "rigid", "star-skeleton", "edge-angle", "vertex")
@@ -93,3 +94,23 @@ def test_mirrored_shapes_have_mirrored_frames(name, method):
     expected = frames(source, target, marks, method)
     found = frames(mirrored(source), mirrored(target), marks, method)
     assert_like([(ring * [-1, 1])[:, ::-1] for ring in found], expected)
+
+
+@pytest.mark.parametrize("seed", [14])
+def test_a_morph_of_all_rings_is_turned_mirrored_and_goes_back_as_the_shapes(seed):
+    """The square round them lay straight, and the way was sought from the source, whatever that was."""
+    source, target = starskel.blend(holed_pair(seed), method="vertex").frames([0, 1])
+    marks = [[(k, k) for k in range(len(ring))] for ring in source]
+    pairing = [(k, k) for k in range(len(source))]
+
+    def half_way(one, other):
+        made = starskel.blend(starskel.Shape(one), starskel.Shape(other), marks, "certified", pairing=pairing)
+        assert made.how == "convex morph"
+        return [ring[None] for ring in made.at(0.5)]
+
+    expected = half_way(source, target)
+    assert_like(half_way(target, source), expected)
+    turned = half_way(*([1e-6 * ring for ring in moved(rings, 2.9)] for rings in (source, target)))
+    assert_like([ring[None] for ring in moved([1e6 * ring[0] for ring in turned], -2.9)], expected)
+    mirrored = half_way(*([(ring * [-1, 1])[::-1] for ring in rings] for rings in (source, target)))
+    assert_like([(ring * [-1, 1])[:, ::-1] for ring in mirrored], expected)
