@@ -13,8 +13,7 @@ from starskel.decomposition.kernels.kernel import star_points, star_vertices
 from starskel.decomposition.ladder import by_fan, climb
 from starskel.decomposition.minimal import minimal_pieces
 from starskel.decomposition.pieces import Decomposition, Piece
-from starskel.decomposition.polishing.reduce import reduce
-from starskel.decomposition.polishing.relocate import relocated
+from starskel.decomposition.polish import polished
 from starskel.decomposition.rivals import by_rivals
 from starskel.decomposition.thinning import refilled, thinned
 from starskel.decomposition.transfer.transfer import transfer
@@ -121,7 +120,7 @@ def _minimal(board: Board, whole: Piece, steiner: bool, task: Task) -> list[Piec
             "allow Steiner vertices, or change the marks",
         )
     (pieces,) = climb(board, [whole], by_rivals, task.part(0.5, 0.9))
-    return _polished(board, pieces, task.part(0.9, 1))
+    return polished(board, pieces, task.part(0.9, 1))
 
 
 def _by_fans(board: Board, whole: Piece, task: Task) -> list[Piece]:
@@ -139,20 +138,12 @@ def _convex(board: Board, whole: Piece, steiner: bool, task: Task) -> list[Piece
         return [whole]
     _check_size(whole)
     pieces = transfer(board, whole, task.part(0, 0.9))
-    pieces = _polished(board, pieces, task.part(0.9, 1))
+    pieces = polished(board, pieces, task.part(0.9, 1))
     if not steiner and any(v >= board.n for piece in pieces for v in piece):
         raise NoDecomposition(
             "the convex pieces of neither polygon can be carried over without Steiner vertices",
             'allow Steiner vertices, or take the algorithm "minimal"',
         )
-    return pieces
-
-
-def _polished(board: Board, pieces: list[Piece], task: Task) -> list[Piece]:
-    """Drop Steiner vertices and pieces that are not needed; vertices in better places free more of them."""
-    (pieces,) = reduce(board, [pieces], task.quiet)
-    pieces = relocated(board, pieces, task.quiet)
-    (pieces,) = reduce(board, [pieces], task)
     return pieces
 
 

@@ -101,7 +101,12 @@ def union(first: Piece, second: Piece) -> Piece | None:
     common = set(first).intersection(second)
     if len(common) == 2:  # so it is nearly always: they touch along one edge
         return _across_edge(first, second, *common)
-    edges = edges_of(first) + edges_of(second)
+    return outline([first, second])
+
+
+def outline(pieces: Iterable[Piece]) -> Piece | None:
+    """Give the ring round pieces, None where they enclose something or it touches itself."""
+    edges = [edge for piece in pieces for edge in edges_of(piece)]
     inner = set(edges) & {(b, a) for a, b in edges}
     outer = [edge for edge in edges if edge not in inner]
     onward = dict(outer)

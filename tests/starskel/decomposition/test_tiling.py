@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from starskel.decomposition.board import Board
-from starskel.decomposition.polishing.tiling import Tiling, union
+from starskel.decomposition.polishing.tiling import Tiling, outline, union
 from starskel.errors import Cancelled
 from starskel.points import points_of
 from starskel.task import UNWATCHED, Task
@@ -64,3 +64,11 @@ def test_pieces_that_touch_at_a_vertex_besides_their_edge_are_not_merged():
     assert union((0, 1, 2, 3), (2, 1, 4, 5)) == (0, 1, 4, 5, 2, 3)
     assert union((0, 1, 2, 3), (2, 1, 4, 0)) is None
     assert union((0, 1, 2, 3, 4, 5), (2, 1, 6, 4, 3, 7)) is None
+
+
+def test_the_ring_round_pieces_is_given_where_they_enclose_nothing():
+    around = [(0, 1, 9), (1, 2, 9), (2, 3, 9), (3, 0, 9)]
+    assert outline(around) == (0, 1, 2, 3)
+    assert outline(around[:3]) == (0, 1, 2, 3, 9)
+    assert outline([(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]) is None
+    assert outline([around[0], around[2]]) is None
