@@ -1105,6 +1105,10 @@
         <translation>Zeichnen Sie hier das Ziel</translation>
     </message>
     <message>
+        <source>Trace the outline of the picture, in the Shape menu, or draw over it.</source>
+        <translation>Den Umriss des Bildes nachzeichnen lassen, im Menü Form, oder darüber zeichnen.</translation>
+    </message>
+    <message>
         <source>Draw the new part here</source>
         <translation>Hier das neue Teil zeichnen</translation>
     </message>

@@ -107,6 +107,11 @@ def invitation(document: Document, side_name: Side) -> str:
     return translate("Canvas", "Draw the target shape here")
 
 
+def pictured() -> str:
+    """Say what to do with a picture over which nothing has been drawn yet."""
+    return translate("Canvas", "Trace the outline of the picture, in the Shape menu, or draw over it.")
+
+
 def part(given: Part, number: int) -> str:
     """Give what a part is called: its name, or its number in its shape."""
     return given.name or translate("Part", "Part {number}").format(number=number + 1)

@@ -108,6 +108,8 @@ def _paint_words(context: PaintContext) -> None:
     begun = context.replaced or context.overlay.trail is not None
     if shape.parts and document.pair.ends == (None, None) and not begun:
         paint_line(context.painter, context.theme, context.frame, words.new_part(context.side))
+    elif shape.picture is not None and not shape.parts and not begun:  # words in the middle would hide it
+        paint_line(context.painter, context.theme, context.frame, words.pictured())
     elif not shape.parts and not begun:
         how = how_to_draw(context.session.tool)
         heading = words.invitation(document, context.side)
