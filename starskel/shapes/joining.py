@@ -9,6 +9,7 @@ from starskel.arrays import Complex
 from starskel.blending.frames import row_masses
 from starskel.correspondence import Correspondence
 from starskel.errors import StarskelError
+from starskel.outline import edge_lengths
 from starskel.polar import as_complex
 from starskel.shapes.body import Manner, prepared
 from starskel.shapes.certified.blend import CertifiedShapeBlend
@@ -80,9 +81,7 @@ def _tree(parts: Sequence[PartPair], owners: Sequence[int], turns: int) -> Tree:
     rotations = [
         None if part.alone else rotation_of(pair) for part, pair in zip(parts, outlines, strict=True)
     ]
-    sizes = np.array(
-        [np.ptp(pair.source, axis=0).max() + np.ptp(pair.target, axis=0).max() for pair in outlines]
-    )
+    sizes = np.array([edge_lengths(np.stack([pair.source, pair.target])).sum() for pair in outlines])
     return tree_of(places, rotations, owners, sizes, turns)
 
 

@@ -11,6 +11,9 @@ from starskel.outline import signed_areas
 
 Edge = tuple[int, int]
 
+DIGITS = 9
+"""Sizes and lengths that agree to so many decimals count as equal: rounding does not choose the root."""
+
 
 @dataclass(frozen=True, eq=False)
 class Skeleton:
@@ -135,17 +138,19 @@ def _sizes(decomposition: Decomposition) -> list[float]:
     for points in (decomposition.source, decomposition.target):
         areas = np.array([signed_areas(points[list(piece)]) for piece in decomposition.pieces])
         total += areas / areas.sum()
-    return list(total.tolist())
+    return list(total.round(DIGITS).tolist())
 
 
 def _lengths(decomposition: Decomposition) -> dict[Edge, float]:
-    """Give the lengths of the pieces' edges as parts of the boxes, source and target together.
+    """Give the lengths of the edges of pieces in both polygons together, over how far vertices of each reach.
 
-    An edge has the same length from both its sides, to the bit.
+    That does not depend on how the polygons are turned. An edge has the same length from both its sides.
     """
     edges = [edge for piece in decomposition.pieces for edge in edges_of(piece)]
     total = np.zeros(len(edges))
     for points in (decomposition.source, decomposition.target):
         ends = points[np.array(edges)]
-        total += np.hypot(*(ends[:, 1] - ends[:, 0]).T) / np.ptp(points, axis=0).max()
-    return dict(zip(edges, total.tolist(), strict=True))
+        rows = points[: len(decomposition.pair)]
+        reach = np.hypot(*(rows - rows.mean(axis=0)).T).mean()
+        total += np.hypot(*(ends[:, 1] - ends[:, 0]).T) / reach
+    return dict(zip(edges, total.round(DIGITS).tolist(), strict=True))

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -127,3 +129,18 @@ def test_whole_turns_come_on_top_and_leave_the_ends():
     np.testing.assert_allclose(made[2].at(0.25), 2 * middle - ring, atol=1e-12)
     np.testing.assert_allclose(made[-1].at(0.5), 2 * middle - ring, atol=1e-12)
     np.testing.assert_allclose(made[0].at(0.25), ring, atol=1e-12)
+
+
+def test_the_tree_does_not_hang_on_how_polygons_are_turned():
+    """Lengths were weighed by the polygons' boxes: that of a long thin one grows as it is turned."""
+    source, target = two_opt(20, 57), two_opt(20, 557) * [1.0, 0.1]
+    decomposition = decompose(match(source, target, [(0, 0), (4, 4)]))
+    tree = skeleton_of(decomposition)
+    for angle in (0.7, 2.2):
+        moved = replace(
+            decomposition,
+            source=turned(decomposition.source, angle),
+            target=turned(decomposition.target, angle),
+        )
+        found = skeleton_of(moved)
+        assert (found.root, found.parents) == (tree.root, tree.parents)
