@@ -11,6 +11,7 @@ parser.add_argument("--most", type=int, default=2000, help="the largest number o
 arguments = parser.parse_args()
 decomposing.visibility_against_shapely(arguments.most)
 decomposing.growth(arguments.most)
+decomposing.stopping(arguments.most)
 decomposing.steiner_vertices(arguments.seed, arguments.pairs)
 algorithms.algorithms(arguments.seed, arguments.pairs)
 decomposing.any_seed(arguments.seed, arguments.pairs)

@@ -1,5 +1,7 @@
 """How visibility and decomposition grow with the number of vertices."""
 
+import time
+
 import numpy as np
 import shapely
 
@@ -70,6 +72,28 @@ def growth(most: int) -> None:
         )
         title = f"Decomposition, {name}: grows by the power {fitted:.2f} from 250 vertices on"
         table(title, ("vertices", "ms", f"times n={sizes[0]}", "pieces"), rows)
+
+
+def stopping(most: int) -> None:
+    """Show for how long work may go on before it asks whether to stop, in processor time."""
+    kinds = {
+        **SHAPES,
+        "smooth, spiral": lambda n: (blob(n, 5), spiral(n, 2)),
+        "two random": lambda n: (two_opt(n, 1), two_opt(n, 2)),
+    }
+    rows = []
+    for name, shapes in kinds.items():
+        pair = paired(*shapes(most))
+        asked = [time.process_time()]
+
+        def should_stop(asked=asked) -> bool:
+            asked.append(time.process_time())
+            return False
+
+        placed = len(decompose(pair, should_stop=should_stop).source) - most
+        rows.append((name, placed, asked[-1] - asked[0], len(asked) - 1, float(np.diff(asked).max()) * 1e3))
+    columns = ("shapes", "Steiner", "seconds", "times asked", "longest gap ms")
+    table(f"Asking whether to stop, {most} vertices", columns, rows)
 
 
 def steiner_vertices(seed: int, pairs: int) -> None:
