@@ -4,6 +4,7 @@ import numpy as np
 
 from starskel.arrays import Flags, Floats, Indices
 from starskel.blending.meshes.distortion import Shapes
+from starskel.predicates import NEAR
 from starskel.task import Task
 
 _WORTH = 1e-6
@@ -32,7 +33,7 @@ def flipped(triangles: Indices, shapes: Shapes, task: Task) -> Indices:
         pairs, after, gains = _flips(triangles, shapes)
         best = np.zeros(len(triangles))
         np.maximum.at(best, pairs, gains[:, None])
-        chosen = (gains > 0) & (gains[:, None] == best[pairs]).all(axis=1)
+        chosen = (gains > 0) & (gains[:, None] >= (1 - NEAR) * best[pairs]).all(axis=1)
         chosen &= _first_of_each(pairs, chosen, len(triangles))
         if not chosen.any():
             return triangles
@@ -41,7 +42,7 @@ def flipped(triangles: Indices, shapes: Shapes, task: Task) -> Indices:
 
 
 def _first_of_each(pairs: Indices, chosen: Flags, count: int) -> Flags:
-    """Tell which of the chosen pairs are the first of both their triangles: gains may be equal."""
+    """Tell which of the chosen pairs are the first of both their triangles: gains may be all but equal."""
     rank = np.where(chosen, np.arange(len(pairs)), len(pairs))
     first = np.full(count, len(pairs))
     np.minimum.at(first, pairs, rank[:, None])

@@ -168,6 +168,21 @@ def test_half_a_turn_goes_the_same_way_wherever_and_however_large_shapes_are(met
     np.testing.assert_allclose(back.at(0.5), expected, atol=1e-7)
 
 
+@pytest.mark.parametrize("method", ["stitched", "rigid"])
+def test_of_triangles_that_gain_alike_rounding_does_not_choose(method):
+    """An octagon becomes a bar: edges of the mesh whose flips gain all but the same lie beside each other."""
+    angles = 2 * np.pi * np.arange(8) / 8
+    octagon = 50 * np.stack([1 + np.cos(angles), 1 + np.sin(angles)], axis=1)
+    bar = np.array([(0.0, 0.0), (90.0, 0.0), (90.0, 20.0), (0.0, 20.0)])
+    pair = match(octagon, bar, starskel.suggest_marks(octagon, bar))
+    rows = [(k, k) for k in range(len(pair))]
+    expected = blend(pair, method=method).at(0.5)
+    for scale, angle in ((1e6, 0.0), (1.0, 0.7)):
+        sides = [scale * turned(ring, angle) for ring in (pair.source, pair.target)]
+        found = blend(match(*sides, rows), method=method).at(0.5)
+        np.testing.assert_allclose(turned(found, -angle) / scale, expected, atol=1e-6)
+
+
 def test_the_methods_are_those_that_the_package_names():
     assert starskel.METHODS is METHODS
     for method in METHODS:
