@@ -5,11 +5,29 @@ from itertools import pairwise
 
 def fewest_pieces(links) -> tuple[int, float] | None:
     """The least number of star pieces, and the least price of the cuts that make so many."""
+    stars = (
+        (len(pieces), price(links, chosen))
+        for chosen, pieces in ways_to_cut(links)
+        if all(is_star(links.sees, piece) for piece in pieces)
+    )
+    return min(stars, default=None)
+
+
+def least_stuck(links) -> float:
+    """The least cost of star pieces, cells that are none, and the cuts between them."""
+    return min(stuck_cost(links, pieces) + price(links, chosen) for chosen, pieces in ways_to_cut(links))
+
+
+def stuck_cost(links, pieces) -> int:
+    """What pieces cost: 1 if they are stars, else for each of their vertices as many as the ring has."""
+    return sum(1 if is_star(links.sees, piece) else len(links.sees) * len(piece) for piece in pieces)
+
+
+def ways_to_cut(links):
+    """All sets of common diagonals that do not cross, with the pieces between them."""
     n = len(links.sees)
     cuts = [(i, j) for i in range(n) for j in range(i + 2, n) if links.diagonal[i, j]]
-    ways = ((chosen, cut(tuple(range(n)), chosen)) for chosen in crossing_free(cuts))
-    stars = ((len(p), price(links, c)) for c, p in ways if all(is_star(links.sees, piece) for piece in p))
-    return min(stars, default=None)
+    return ((chosen, cut(tuple(range(n)), chosen)) for chosen in crossing_free(cuts))
 
 
 def price(links, chosen) -> float:

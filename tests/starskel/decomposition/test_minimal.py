@@ -8,7 +8,13 @@ from starskel.rings import Rings
 from starskel.task import Task
 from starskel.triangulation import triangulate
 from tests.families import related, turned, two_opt
-from tests.starskel.decomposition.exhaustive import fewest_pieces, pairs_of_ring, price
+from tests.starskel.decomposition.exhaustive import (
+    fewest_pieces,
+    least_stuck,
+    pairs_of_ring,
+    price,
+    stuck_cost,
+)
 
 
 def links(source, target):
@@ -71,6 +77,19 @@ def test_pieces_are_bounded_by_links_and_have_a_common_star_vertex(n):
             assert common.sees[np.ix_(piece, piece)].all(axis=1).any()
             inner = pairs_of_ring(piece) - pairs_of_ring(range(n))
             assert all(common.diagonal[a, b] for a, b in inner)
+
+
+@pytest.mark.parametrize("kind", ["random", "grid", "wide grid"])
+def test_stuck_cells_are_as_small_as_exhaustive_search_finds_them(kind):
+    stuck = 0
+    for seed in range(30):
+        common = links(*pair(kind, seed))
+        cells = least_stuck_cells(common, Task())[0]
+        cuts = set.union(*map(pairs_of_ring, cells)) - pairs_of_ring(range(len(common.sees)))
+        cost = stuck_cost(common, cells) + price(common, cuts)
+        assert cost == pytest.approx(least_stuck(common), rel=1e-12), seed
+        stuck += cost >= len(common.sees)
+    assert stuck > 3
 
 
 @pytest.mark.parametrize("seed", range(5))
