@@ -9,10 +9,10 @@ from collections.abc import Iterator
 
 from starskel.decomposition.board import Board
 from starskel.decomposition.ladder import by_fan, climb
+from starskel.decomposition.moves.reduce import reduce
+from starskel.decomposition.moves.relocate import relocated
+from starskel.decomposition.moves.tiling import Tiling, outline
 from starskel.decomposition.pieces import Piece, cost, edges_of
-from starskel.decomposition.polishing.reduce import reduce
-from starskel.decomposition.polishing.relocate import relocated
-from starskel.decomposition.polishing.tiling import Tiling, outline
 from starskel.task import Task
 
 FEW = 16

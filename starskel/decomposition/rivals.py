@@ -9,8 +9,8 @@ from contextlib import suppress
 
 from starskel.decomposition.board import Board
 from starskel.decomposition.ladder import by_fan, cheapest, spread
+from starskel.decomposition.moves.reduce import reduce
 from starskel.decomposition.pieces import Piece, cost
-from starskel.decomposition.polishing.reduce import reduce
 from starskel.decomposition.steiner import Fan, Stuck, survey
 from starskel.decomposition.transfer.transfer import transfer
 from starskel.task import Task

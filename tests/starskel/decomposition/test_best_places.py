@@ -4,7 +4,7 @@ import pytest
 from starskel.decomposition.board import Board
 from starskel.decomposition.kernels.kernel import star_points
 from starskel.decomposition.ladder import by_fan, climb
-from starskel.decomposition.polishing.best_places import best_places, kernels_of_chains
+from starskel.decomposition.moves.best_places import best_places, kernels_of_chains
 from starskel.points import points_of
 from starskel.rings import Rings
 from starskel.task import UNWATCHED, Task
@@ -44,7 +44,7 @@ def test_vertices_tried_a_few_at_a_time_fare_as_all_at_once(monkeypatch):
     (pieces,) = climb(board, [tuple(range(80))], by_fan, UNWATCHED)
     around = {v: [p for p in pieces if v in p] for v in range(80, len(board)) if any(v in p for p in pieces)}
     together = best_places(board, around, 0.25, UNWATCHED)
-    monkeypatch.setattr("starskel.decomposition.polishing.best_places.AT_ONCE", 40)
+    monkeypatch.setattr("starskel.decomposition.moves.best_places.AT_ONCE", 40)
     polls: list[None] = []
     apart = best_places(board, around, 0.25, Task(should_stop=lambda: bool(polls.append(None))))
     assert len(around) > 5

@@ -2,8 +2,8 @@ import numpy as np
 
 from starskel.decomposition.board import Board
 from starskel.decomposition.ladder import by_fan, climb
+from starskel.decomposition.moves.collapse import collapses
 from starskel.decomposition.pieces import edges_of, from_least
-from starskel.decomposition.polishing.collapse import collapses
 from starskel.points import points_of
 from starskel.task import UNWATCHED
 from tests.families import two_opt

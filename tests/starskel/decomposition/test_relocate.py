@@ -4,7 +4,7 @@ import pytest
 from starskel.decomposition.board import Board
 from starskel.decomposition.kernels.kernel import star_points
 from starskel.decomposition.ladder import by_fan, climb
-from starskel.decomposition.polishing.relocate import relocated
+from starskel.decomposition.moves.relocate import relocated
 from starskel.errors import Cancelled
 from starskel.outline import edge_lengths, signed_areas
 from starskel.points import points_of

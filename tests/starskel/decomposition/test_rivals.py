@@ -5,8 +5,8 @@ from starskel.decomposition.board import Board
 from starskel.decomposition.ladder import by_fan, climb
 from starskel.decomposition.links import links_of
 from starskel.decomposition.minimal import least_stuck_cells
+from starskel.decomposition.moves.reduce import reduce
 from starskel.decomposition.pieces import cost, edges_of
-from starskel.decomposition.polishing.reduce import reduce
 from starskel.decomposition.rivals import LARGE, by_rivals
 from starskel.decomposition.steiner import survey
 from starskel.decomposition.transfer.transfer import transfer

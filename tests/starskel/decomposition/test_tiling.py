@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from starskel.decomposition.board import Board
-from starskel.decomposition.polishing.tiling import Tiling, outline, union
+from starskel.decomposition.moves.tiling import Tiling, outline, union
 from starskel.errors import Cancelled
 from starskel.points import points_of
 from starskel.task import UNWATCHED, Task

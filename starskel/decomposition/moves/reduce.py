@@ -9,9 +9,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from starskel.decomposition.board import AT_ONCE, Board
+from starskel.decomposition.moves.collapse import collapses
+from starskel.decomposition.moves.tiling import Tiling
 from starskel.decomposition.pieces import Piece
-from starskel.decomposition.polishing.collapse import collapses
-from starskel.decomposition.polishing.tiling import Tiling
 from starskel.rings import blocks
 from starskel.task import Task
 

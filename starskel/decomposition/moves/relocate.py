@@ -10,8 +10,8 @@ import numpy as np
 
 from starskel.arrays import Complex, Floats
 from starskel.decomposition.board import Board
+from starskel.decomposition.moves.best_places import best_places
 from starskel.decomposition.pieces import Piece
-from starskel.decomposition.polishing.best_places import best_places
 from starskel.task import Task
 
 STRIDES = (0.4, 0.25, 0.15, 0.1, 0.06)
