@@ -38,8 +38,7 @@ class Recovering(QObject):
 
     def offer_kept(self) -> bool:
         """Offer the documents that were left behind; False where there are none."""
-        waiting = Waiting(self.tr("Looking for unsaved documents…"), self._window, stoppable=False)
-        kept = waiting.awaited(lambda _: kept_records()) if any_records() else ()
+        kept = self._found()
         if not kept:
             return False
         dialog = RecoveryDialog(kept, self._window)
@@ -51,6 +50,14 @@ class Recovering(QObject):
             if each is not chosen:
                 each.place.release()
         return True
+
+    def _found(self) -> tuple[Kept, ...]:
+        """Read the records there are, beside the window."""
+        if not any_records():
+            return ()
+        waiting = Waiting(self.tr("Looking for unsaved documents…"), self._window, stoppable=False)
+        found: tuple[Kept, ...] = waiting.awaited(lambda _: kept_records())
+        return found
 
     def close(self) -> None:
         """End keeping; to be called when the document is saved or given up."""

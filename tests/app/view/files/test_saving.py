@@ -9,7 +9,7 @@ from threading import Event
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QWidget
+from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QPushButton, QWidget
 
 from app.model.document import Document
 from app.model.filing import Filed, stored
@@ -283,6 +283,7 @@ def test_what_a_newer_program_left_is_called_so_and_kept(driver: Driver) -> None
 def test_without_anything_left_the_command_says_so(driver: Driver) -> None:
     driver.window.actions_table["recover"].trigger()
     assert driver.window.statusBar().currentMessage() == "There are no recovered documents."
+    assert not driver.window.findChildren(QDialog), "nothing that waited is left"
 
 
 def test_recovering_does_not_lose_what_is_open(driver: Driver) -> None:
