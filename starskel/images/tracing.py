@@ -73,7 +73,7 @@ def trace(  # noqa: PLR0913 -- what is seen, and how much of it
     >>> picture[20:80, 20:80] = 255
     >>> picture[40:60, 40:60] = 0
     >>> starskel.trace(starskel.PlacedImage(picture))
-    Shape of 1 parts with 1 holes
+    Shape of 1 part with 1 hole
     """
     _check_names(image, by, parts)
     _check(level, tolerance)

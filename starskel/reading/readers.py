@@ -81,7 +81,7 @@ def read_shapes(path: Path, tolerance: float = TOLERANCE, texts: Sequence[str] =
     >>> _ = path.write_text("POLYGON ((0 0, 8 0, 8 8, 0 8, 0 0), (2 2, 6 2, 6 6, 2 6, 2 2))")
     >>> (found,) = read_shapes(path).shapes
     >>> found.name, found.shape
-    ('shape 1', Shape of 1 parts with 1 holes)
+    ('shape 1', Shape of 1 part with 1 hole)
     """
     format_of(path)  # refuses before anything is read
     return read_content(read_bytes(path), path, tolerance, texts)

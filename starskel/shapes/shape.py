@@ -47,7 +47,7 @@ class Shape:
     >>> import starskel
     >>> frame = starskel.Shape([[(0, 0), (8, 0), (8, 8), (0, 8)], [(2, 2), (6, 2), (6, 6), (2, 6)]])
     >>> frame
-    Shape of 1 parts with 1 holes
+    Shape of 1 part with 1 hole
     >>> frame.outer, frame.holes(0), frame.area
     ((-1, 0), (1,), 48.0)
     >>> frame.to_shapely().wkt
@@ -85,7 +85,8 @@ class Shape:
         return len(self.rings)
 
     def __repr__(self) -> str:
-        return f"Shape of {len(self.outlines)} parts with {len(self) - len(self.outlines)} holes"
+        parts, holes = len(self.outlines), len(self) - len(self.outlines)
+        return f"Shape of {parts} part{'s' * (parts > 1)} with {holes} hole{'s' * (holes != 1)}"
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Shape) and (self.rings, self.outer) == (other.rings, other.outer)

@@ -13,7 +13,7 @@ from starskel.arrays import Flags, Floats, Indices
 from starskel.task import UNWATCHED, Task
 from starskel.triangulation import Triangulation
 from starskel.visibility.cells import cells_of
-from starskel.visibility.scene import Scene
+from starskel.visibility.viewers import Viewers
 from starskel.visibility.views import Walks, look
 
 
@@ -44,9 +44,9 @@ def visibility(ground: Triangulation, task: Task = UNWATCHED) -> Visibility:
         If the triangles have corners inside the ring.
     """
     cells = cells_of(ground)
-    scene = Scene.of(ground, cells, ground.points, ground.rings.rows)
+    viewers = Viewers.of(ground, cells, ground.points, ground.rings.rows)
     own = cells.first
-    sees, diagonal = look(scene, Walks(cells.corner[own], own + 1, cells.others[own]), task)
+    sees, diagonal = look(viewers, Walks(cells.corner[own], own + 1, cells.others[own]), task)
     ring = np.arange(len(ground.rings.rows))
     sees[ring, ring] = True
     for beside in (ground.rings.preceding, ground.rings.following):  # edges of the ring are no diagonals
@@ -76,5 +76,5 @@ def visibility_from(
     cells = cells_of(ground)
     start = cells.of_triangle[triangles[viewer]]
     walks = Walks(viewer, start, cells.others[start] + 1)
-    sees, diagonal = look(Scene.of(ground, cells, points, rows), walks, task)
+    sees, diagonal = look(Viewers.of(ground, cells, points, rows), walks, task)
     return Visibility(sees, diagonal)

@@ -14,7 +14,7 @@ from starskel.arrays import Flags, Indices
 from starskel.rings import blocks, ranges
 from starskel.task import Task
 from starskel.visibility.cells import Cells
-from starskel.visibility.scene import Scene
+from starskel.visibility.viewers import Viewers
 
 BLOCK = 1 << 17
 """Pairs of a viewer and a vertex that are worked on at a time: what fits a processor's cache."""
@@ -59,23 +59,23 @@ class _Views:
         return _Views(self.viewer[some], self.start[some], self.limits[:, some])
 
 
-def look(scene: Scene, walks: Walks, task: Task) -> tuple[Flags, Flags]:
+def look(viewers: Viewers, walks: Walks, task: Task) -> tuple[Flags, Flags]:
     """Tell which vertices viewers see in their own cells and behind these, and to which they have diagonals.
 
     Both tables have a row for each viewer and a column for each vertex.
     """
-    sees = np.zeros((len(scene.rows), len(scene.ring)), dtype=bool)
+    sees = np.zeros((len(viewers.rows), len(viewers.ring)), dtype=bool)
     waiting, grazed = [], []
     for part in blocks(walks.count, BLOCK):
         task.reach(0)
-        around = _look_around(scene, walks.part(part), sees)
-        grazed.append(_behind_ends(scene, around))
+        around = _look_around(viewers, walks.part(part), sees)
+        grazed.append(_behind_ends(viewers, around))
         waiting.append(around.part(around.start >= 0))
     while waiting:
         views = waiting.pop()
-        for part in blocks(scene.cells.others.take(views.start), BLOCK):
+        for part in blocks(viewers.cells.others.take(views.start), BLOCK):
             task.reach(0)
-            onward, passed = _advance(scene, views.part(part), sees)
+            onward, passed = _advance(viewers, views.part(part), sees)
             waiting.append(onward)
             grazed.append(passed)
     diagonal = sees.copy()
@@ -84,9 +84,9 @@ def look(scene: Scene, walks: Walks, task: Task) -> tuple[Flags, Flags]:
     return sees, diagonal
 
 
-def _look_around(scene: Scene, walks: Walks, sees: Flags) -> _Views:
+def _look_around(viewers: Viewers, walks: Walks, sees: Flags) -> _Views:
     """Note the corners on the walks, and give the views through all sides but those that end at a viewer."""
-    cells, count = scene.cells, walks.count
+    cells, count = viewers.cells, walks.count
     walk, place = ranges(walks.start, count)
     viewer = walks.viewer.take(walk)
     sees[viewer, cells.corner.take(place)] = True
@@ -96,22 +96,22 @@ def _look_around(scene: Scene, walks: Walks, sees: Flags) -> _Views:
     return _Views(viewer, cells.behind.take(place), cells.corner.take([place, place + 1]))
 
 
-def _behind_ends(scene: Scene, views: _Views) -> Indices:
+def _behind_ends(viewers: Viewers, views: _Views) -> Indices:
     """Give the pairs that pass the nearer end of a side, which is seen edge-on."""
-    sight = scene.vertices.take(views.limits)
-    sight -= scene.viewers.take(views.viewer)
+    sight = viewers.vertices.take(views.limits)
+    sight -= viewers.at.take(views.viewer)
     away = np.abs(sight)
-    along = np.flatnonzero(np.abs((sight[0].conj() * sight[1]).imag) <= scene.slack * away.sum(axis=0))
+    along = np.flatnonzero(np.abs((sight[0].conj() * sight[1]).imag) <= viewers.slack * away.sum(axis=0))
     farther = np.where(away[0] > away[1], views.limits[0], views.limits[1])
-    return scene.pairs(views.viewer.take(along), farther.take(along))
+    return viewers.pairs(views.viewer.take(along), farther.take(along))
 
 
-def _advance(scene: Scene, views: _Views, sees: Flags) -> tuple[_Views, Indices]:
+def _advance(viewers: Viewers, views: _Views, sees: Flags) -> tuple[_Views, Indices]:
     """Note which corners are seen in the cells that views enter; give the views onward, and grazing pairs."""
-    cells, steps = scene.cells, _Steps.of(scene.cells, views)
-    inside, grazing = _inside(scene, views, steps)
+    cells, steps = viewers.cells, _Steps.of(viewers.cells, views)
+    inside, grazing = _inside(viewers, views, steps)
     seen = (inside[0] & inside[1]).nonzero()[0]
-    sees.ravel()[scene.pairs(steps.viewer.take(seen), steps.corner.take(seen))] = True
+    sees.ravel()[viewers.pairs(steps.viewer.take(seen), steps.corner.take(seen))] = True
     end_inside = _of_next(inside, steps.last)
     onward = (inside[1] & end_inside[0]).nonzero()[0]
     onward = onward[cells.behind.take(steps.place.take(onward)) >= 0]
@@ -122,7 +122,7 @@ def _advance(scene: Scene, views: _Views, sees: Flags) -> tuple[_Views, Indices]
         views.limits.take(steps.view.take(onward), axis=1),
     )
     further = _Views(steps.viewer.take(onward), cells.behind.take(place), limits)
-    return further, scene.pairs(steps.viewer.take(grazing), steps.corner.take(grazing))
+    return further, viewers.pairs(steps.viewer.take(grazing), steps.corner.take(grazing))
 
 
 @dataclass(frozen=True, eq=False)
@@ -164,26 +164,26 @@ def _of_next(inside: Flags, last: Indices) -> Flags:
     return following
 
 
-def _inside(scene: Scene, views: _Views, steps: _Steps) -> tuple[Flags, Indices]:
+def _inside(viewers: Viewers, views: _Views, steps: _Steps) -> tuple[Flags, Indices]:
     """Tell which steps lead at or left of right limits, at or right of left ones, and which graze either."""
-    sight = scene.vertices.take(views.limits)
-    sight -= scene.viewers.take(views.viewer)
+    sight = viewers.vertices.take(views.limits)
+    sight -= viewers.at.take(views.viewer)
     np.conj(sight, out=sight)
     np.negative(sight[1], out=sight[1])
-    towards = scene.vertices.take(steps.corner)
-    towards -= scene.viewers.take(steps.viewer)
+    towards = viewers.vertices.take(steps.corner)
+    towards -= viewers.at.take(steps.viewer)
     turned = sight.take(steps.view, axis=1)
     turned *= towards
     inwards = turned.imag
     inwards[0, steps.first] = -np.inf
     inwards[1, steps.first] = np.inf
-    inside = inwards > scene.doubtful
-    close = np.abs(inwards) <= scene.doubtful
+    inside = inwards > viewers.doubtful
+    close = np.abs(inwards) <= viewers.doubtful
     if not close.any():
         return inside, steps.first[:0]
     side, doubt = close.nonzero()
     left = 1 - 2 * side  # 1 if the inside lies to the left, -1 if to the right
     limit, corner = views.limits[side, steps.view[doubt]], steps.corner[doubt]
-    signs, grazes = scene.turns(steps.viewer[doubt], limit, corner, left * inwards[side, doubt])
+    signs, grazes = viewers.turns(steps.viewer[doubt], limit, corner, left * inwards[side, doubt])
     inside[side, doubt] = left * signs >= 0
     return inside, doubt[grazes]

@@ -12,7 +12,7 @@ from starskel.visibility.cells import Cells
 
 
 @dataclass(frozen=True, eq=False)
-class Scene:
+class Viewers:
     """Where the viewers and the ring's vertices are, and the cells between them.
 
     Attributes
@@ -21,8 +21,8 @@ class Scene:
     points : Points
     ring, rows : (n,) and (k,) arrays of int
         The rows of the vertices and of the viewers.
-    vertices, viewers : (n,) and (k,) complex arrays
-        Their coordinates.
+    vertices, at : (n,) and (k,) complex arrays
+        The coordinates of the vertices and of the viewers.
     slack : float
         What two coordinates may be off by rounding, together.
     doubtful : float
@@ -34,12 +34,12 @@ class Scene:
     ring: Indices
     rows: Indices
     vertices: Complex
-    viewers: Complex
+    at: Complex
     slack: float
     doubtful: float
 
     @classmethod
-    def of(cls, ground: Triangulation, cells: Cells, points: Points, rows: Indices) -> "Scene":
+    def of(cls, ground: Triangulation, cells: Cells, points: Points, rows: Indices) -> "Viewers":
         """Put viewers, the rows of some points, into triangulated rings and their cells."""
         places = points.coordinates.view(np.complex128)[:, 0]
         slack = 2 * ROUNDING * float(np.abs(ground.vertices).max())
@@ -60,7 +60,7 @@ class Scene:
         Tell, too, whether the line to either vertex passes the other by no more than rounding. Doubled are
         the areas of the triangles that the three form, rounded.
         """
-        at = self.viewers[viewer]
+        at = self.at[viewer]
         reach = self.slack * (np.abs(self.vertices[first] - at) + np.abs(self.vertices[second] - at))
         signs = np.sign(doubled)
         close = np.flatnonzero(np.abs(doubled) <= 4 * reach)

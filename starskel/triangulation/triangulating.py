@@ -12,7 +12,7 @@ from starskel.arrays import Indices
 from starskel.points import Points
 from starskel.rings import Rings
 from starskel.triangulation.ears import cut_ears
-from starskel.triangulation.found import by_earcut, by_geos, in_order
+from starskel.triangulation.libraries import by_earcut, by_geos, in_order
 from starskel.triangulation.runs import runs_of, split
 from starskel.triangulation.triangulation import Triangulation
 

@@ -5,7 +5,7 @@ from starskel.errors import InvalidPolygon
 from starskel.outline import signed_areas
 from starskel.points import points_of
 from starskel.rings import Rings
-from starskel.triangulation import Triangulation, delaunay, triangulate, ways
+from starskel.triangulation import Triangulation, delaunay, triangulate, triangulating
 from tests.families import blob, comb, spiral, subdivided, turned, two_opt
 
 RINGS = {
@@ -52,7 +52,7 @@ def wrong(points, rings):
 def test_triangles_tile_the_ring(ring, finder, found, monkeypatch):
     if found:
         result = found(*whole(ring))
-        monkeypatch.setattr(ways, finder, lambda points, rings: result)
+        monkeypatch.setattr(triangulating, finder, lambda points, rings: result)
     way = triangulate if finder == "by_earcut" else delaunay
     ground = way(*whole(ring))
     assert len(ground.triangles) == len(ring) - 2
@@ -69,7 +69,7 @@ def test_libraries_are_believed_on_plain_rings(kind, finder, monkeypatch):
     ring = {"blob": blob(200), "spiral": spiral(60), "comb": comb(20), "teeth": teeth_round_the_origin(50)}[
         kind
     ]
-    monkeypatch.setattr(ways, "cut_ears", None)  # an error, if called
+    monkeypatch.setattr(triangulating, "cut_ears", None)  # an error, if called
     way = triangulate if finder == "by_earcut" else delaunay
     assert len(way(*whole(ring)).triangles) == len(ring) - 2
 
