@@ -1,9 +1,9 @@
 """Where two polygons are cut: their points, to which Steiner vertices are added, and what is known of rings.
 
-Points are only ever added, so what has been found out about a ring stays true.
+Points are only ever added, so what has been found out about a ring stays true. It is kept in tuples, of which
+there may be many: the garbage collector does not look at them again.
 """
 
-from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
 import numpy as np
@@ -11,7 +11,7 @@ import numpy as np
 from starskel.arrays import Complex, Flags, Floats
 from starskel.decomposition.kernels.kernel import are_seen_well_from, star_points, star_vertices
 from starskel.decomposition.links import Links, links_of
-from starskel.decomposition.pieces import Around, Piece
+from starskel.decomposition.pieces import Around, Piece, Replacements
 from starskel.points import Points
 from starskel.rings import Rings
 from starskel.task import Task
@@ -48,8 +48,8 @@ class Board:
         self.n = len(source.coordinates)
         self.sides = [source, target]
         self.unions: dict[tuple[Piece, Piece], Piece | None] = {}
-        self.collapses: dict[Around, list[list[Piece]]] = {}
-        self.in_vain: defaultdict[Piece, set[int]] = defaultdict(set)
+        self.collapses: dict[Around, Replacements] = {}
+        self.in_vain: dict[Piece, tuple[int, ...]] = {}
         self._common: dict[Piece, bool] = {}
         self._kernels: dict[Piece, bool] = {}
         self._grounds: dict[tuple[Piece, ...], Grounds] = {}

@@ -16,6 +16,9 @@ Piece = tuple[int, ...]
 Around = tuple[int, tuple[Piece, ...]]
 """A Steiner vertex and the pieces round it."""
 
+Replacements = tuple[tuple[Piece, ...], ...]
+"""What may take the place of some pieces, choice by choice."""
+
 
 @dataclass(frozen=True, eq=False)
 class Decomposition(ReadOnlyArrays):

@@ -12,7 +12,7 @@ import numpy as np
 from starskel.arrays import Flags, Indices
 from starskel.decomposition.board import Board
 from starskel.decomposition.kernels.half_planes import Lines, left_of_all
-from starskel.decomposition.pieces import Around, Piece, chain_after, from_least
+from starskel.decomposition.pieces import Around, Piece, Replacements, chain_after, from_least
 from starskel.rings import Rings, ranges
 from starskel.task import Task
 
@@ -26,7 +26,7 @@ class _Collapse:
     chains: range
 
 
-def collapses(board: Board, stars: Sequence[Around], task: Task) -> dict[Around, list[list[Piece]]]:
+def collapses(board: Board, stars: Sequence[Around], task: Task) -> dict[Around, Replacements]:
     """Give for each vertex the pieces that may take the place of those round it, collapse by collapse."""
     chains = [chain_after(piece, vertex) for vertex, pieces in stars for piece in pieces]
     moves = list(_untorn(board, stars, chains))
@@ -34,10 +34,10 @@ def collapses(board: Board, stars: Sequence[Around], task: Task) -> dict[Around,
     after = [_after(move, chains) for move in moves]
     rings = [ring for shrunk in after for ring in shrunk]
     proven = dict(zip(rings, board.have_kernels(rings, task), strict=True))
-    found: dict[Around, list[list[Piece]]] = {star: [] for star in stars}
+    found: dict[Around, Replacements] = dict.fromkeys(stars, ())
     for move, shrunk in zip(moves, after, strict=True):
         if all(proven[ring] for ring in shrunk):
-            found[stars[move.at]].append(shrunk)
+            found[stars[move.at]] += (shrunk,)
     return found
 
 
@@ -49,9 +49,8 @@ def _untorn(board: Board, stars: Sequence[Around], chains: Sequence[Piece]) -> I
         begun = around.stop
         near = [chains[k] for k in around]
         ends = {end for chain in near for end in (chain[0], chain[-1])}
-        for neighbour in sorted(
-            ends.difference(*(c[1:-1] for c in near), *map(board.in_vain.__getitem__, near))
-        ):
+        in_vain = (board.in_vain.get(chain, ()) for chain in near)
+        for neighbour in sorted(ends.difference(*(chain[1:-1] for chain in near), *in_vain)):
             yield _Collapse(at, neighbour, around)
 
 
@@ -69,7 +68,7 @@ def _possible(board: Board, chains: Sequence[Piece], moves: list[_Collapse], tas
         kernels = left_of_all(Lines.round(_closed(rings, chain, place), at), task)
         wrong = (kernels.size == 0) & ~_vanish(rings, chain, place)
         for k, vertex in meetings[:2, wrong].T.tolist():
-            board.in_vain[chains[k]].add(vertex)
+            board.in_vain[chains[k]] = *board.in_vain.get(chains[k], ()), vertex
         possible = np.bincount(move[wrong], minlength=len(moves))[move] == 0
         meetings = meetings[:, possible]
         middles = np.concatenate([middles, kernels.measured()[0][None]])[:, possible]
@@ -101,10 +100,10 @@ def _closed(chains: Rings, chain: Indices, place: Indices) -> Rings:
     return Rings(np.insert(chains.rows[vertex], np.cumsum(counts) - counts, place), counts + 1)
 
 
-def _after(move: _Collapse, chains: Sequence[Piece]) -> list[Piece]:
+def _after(move: _Collapse, chains: Sequence[Piece]) -> tuple[Piece, ...]:
     """Give what is left of the pieces: triangles at the neighbour vanish."""
     left = [_shrunk(chain, move.neighbour) for chain in chains[move.chains.start : move.chains.stop]]
-    return [ring for ring in left if len(ring) > 2]
+    return tuple(ring for ring in left if len(ring) > 2)
 
 
 def _shrunk(chain: Piece, vertex: int) -> Piece:
