@@ -206,7 +206,8 @@ class PartsModel(QAbstractTableModel):
             self.endResetModel()
         else:
             self._shown, self._looks = links, looks
-            self.dataChanged.emit(self.index(0, NAME), self.index(len(links) - 1, TARGET))
+            if links:
+                self.dataChanged.emit(self.index(0, NAME), self.index(len(links) - 1, TARGET))
 
 
 def _side(column: int) -> Side:

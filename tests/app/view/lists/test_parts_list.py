@@ -11,8 +11,10 @@ from app.view.lists.parts_list import PartsTable
 from app.view.lists.parts_model import NAME, SOURCE, TARGET
 from app.view.main_window import MainWindow
 from starskel.files.projects.key_shape import KeyShape
+from starskel.files.projects.picture import Picture
 from starskel.files.projects.project import Project
 from starskel.files.projects.step import Link, Step
+from starskel.files.raster_writing import png_of
 from tests.app.driver import CONTROL, LEFT, SHIFT, Driver
 from tests.app.view.faces import FACE, LEFT_EYE, METHODS, RIGHT_EYE, box, drag, ends, go_to, table
 
@@ -191,3 +193,16 @@ def test_a_part_has_the_same_icon_until_it_looks_different(face: Driver) -> None
     face.key(Qt.Key.Key_S)
     face.drag("source", (10, 10), (12, 12))
     assert [a == b for a, b in zip(icons(), before, strict=True)] == [True, True, False]
+
+
+def test_a_picture_behind_nothing_tells_of_no_rows(driver: Driver) -> None:
+    driver.session.show_project(Project("empty", (KeyShape(), KeyShape()), (Step(()),), METHODS))
+    told = []
+    table(driver).model().dataChanged.connect(lambda first, last: told.append((first, last)))
+    pixels = png_of(np.full((20, 20, 4), 255, dtype=np.uint8))
+    behind = Picture(pixels, (0, 0), (20, 20))
+    driver.session.store(driver.document.put_picture("source", behind), "Place picture")
+    driver.session.store(driver.document.draw("source", FACE), "Draw")
+    driver.session.store(driver.document.put_picture("source", None), "Take picture away")
+    assert told
+    assert all(first.isValid() and last.isValid() for first, last in told)
