@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal, Slot
 
 import starskel
-from app.compute.freeing import freeing_factors
 from app.compute.request import Failure, Proposal, Request, Result
 from app.compute.threads import thread_named
 from app.model.marks import Marks
@@ -59,8 +58,7 @@ class Worker(QObject):
     @Slot(object)
     def work(self, request: Request) -> None:
         try:
-            with freeing_factors():
-                self._work(request)
+            self._work(request)
         except BaseException:
             self.died.emit(request.generation)
             raise
@@ -91,10 +89,9 @@ class Worker(QObject):
             return self.newest != proposal.generation
 
         try:
-            with freeing_factors():
-                marks = starskel.suggest_marks(
-                    proposal.source, proposal.target, proposal.count, should_stop=is_old
-                )
+            marks = starskel.suggest_marks(
+                proposal.source, proposal.target, proposal.count, should_stop=is_old
+            )
         except Cancelled:
             return
         except BaseException:

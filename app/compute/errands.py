@@ -11,7 +11,6 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from app.compute.freeing import freeing_factors
 from app.compute.threads import thread_named
 from starskel.errors import Cancelled, StarskelError
 from starskel.task import Task
@@ -54,8 +53,7 @@ class _Runner(QObject):
             task = Task(
                 lambda fraction: self.progressed.emit(number, fraction), lambda: self.newest != number
             )
-            with freeing_factors():
-                outcome = Outcome(work(task))
+            outcome = Outcome(work(task))
         except Cancelled:
             return
         except Exception as error:  # whatever it is, the window shows it; the thread lives on

@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal, Slot
 
-from app.compute.freeing import freeing_factors
 from app.compute.threads import thread_named
 from starskel.errors import Cancelled, StarskelError
 from starskel.files.projects.picture import Picture
@@ -103,7 +102,6 @@ class _Painter(QObject):
         )
 
     @Slot(object)
-    @freeing_factors()
     def fulfil(self, request: MorphRequest) -> None:
         try:
             morph = self._morph(request)

@@ -7,6 +7,7 @@ import numpy as np
 
 from starskel.arrays import Complex, Floats, read_only
 from starskel.blending.frames import placed, with_exact_ends
+from starskel.blending.laplacian import factors_kept
 from starskel.blending.meshes.fans import Fans, fans_of
 from starskel.blending.meshes.frame_mesh import FrameMesh
 from starskel.blending.meshes.improvement import with_better_hubs
@@ -35,6 +36,7 @@ class FanBlend(PieceBlend):
         Watches the preparation.
     """
 
+    @factors_kept()
     def __init__(self, decomposition: Decomposition, root: int | None = None, task: Task = UNWATCHED) -> None:
         super().__init__(decomposition, skeleton_of(decomposition, root))
         self._backwards = canonical(decomposition.pair).swapped
@@ -60,6 +62,7 @@ class FanBlend(PieceBlend):
         source, target = ends[::-1] if self._backwards else ends
         return FrameMesh(source, target, self._fans.triangles)
 
+    @factors_kept()
     def _nodes(self, ts: Floats) -> Floats:
         times = 1 - ts if self._backwards else ts
         return with_exact_ends(self._placed(times), times, self.errors)

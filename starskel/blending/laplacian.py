@@ -3,12 +3,16 @@
 SuperLU orders and factors them sparsely (scipy.sparse.linalg.splu): the fans of m points take O(m) memory,
 or little more, instead of the m^2 of an inverse.
 
-SuperLU gives memory back only to the thread that took it (scipy issue 15921). So factors stay in their
-thread, which keeps those that it used last; another one factors the same matrix again, to the same bits.
+SuperLU gives memory back only in the thread that took it (scipy issue 15921). So factors stay in their
+thread, and another one factors the same matrix again, to the same bits. The main thread keeps those that it
+used last. In others they are freed as work ends: as the thread ends it would be too late, and where it
+is none of Python's own, but one of Qt's, say, freeing them then brings Python down.
 """
 
 import threading
 from collections import OrderedDict
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numpy as np
@@ -34,15 +38,17 @@ class Factored:
         """
         if not len(right):
             return right
-        factors = _factors_of(self)
-        return np.stack([factors.solve(each) for each in right])
+        with factors_kept():
+            factors = _factors_of(self)
+            return np.stack([factors.solve(each) for each in right])
 
 
 class _Recent(threading.local):
-    """The factors that the running thread has used, the last one last."""
+    """The factors that the running thread has used, the last one last, and how deep in work it is."""
 
     def __init__(self) -> None:
         self.factors: OrderedDict[Factored, SuperLU] = OrderedDict()
+        self.depth = 0
 
 
 _RECENT = _Recent()
@@ -63,9 +69,16 @@ def _factors_of(factored: Factored) -> SuperLU:
     return recent[factored]
 
 
-def forget_factors() -> None:
-    """Free what the running thread has factored; to be called before it ends, or its memory is lost."""
-    _RECENT.factors.clear()
+@contextmanager
+def factors_kept() -> Iterator[None]:
+    """Keep what is factored until this work ends, or the work round it; in the main thread for longer."""
+    _RECENT.depth += 1
+    try:
+        yield
+    finally:
+        _RECENT.depth -= 1
+        if not _RECENT.depth and threading.get_ident() != threading.main_thread().ident:
+            _RECENT.factors.clear()
 
 
 def factor(edges: Indices, weights: Floats, diagonal: Floats) -> Factored:

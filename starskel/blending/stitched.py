@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from copy import copy
 
 from starskel.blending.fan_blend import FanBlend, Motion
+from starskel.blending.laplacian import factors_kept
 from starskel.blending.meshes.fans import Fans
 from starskel.blending.stiffening import Graphs, better, plainest
 from starskel.decomposition.pieces import Decomposition
@@ -27,6 +28,7 @@ class StitchedBlend(FanBlend):
 
     method = "stitched"
 
+    @factors_kept()
     def __init__(
         self,
         decomposition: Decomposition,

@@ -1,9 +1,7 @@
 """Errands, with work that takes as long as the test wants."""
 
-import sys
 import threading
 from collections.abc import Iterator
-from types import ModuleType
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -88,14 +86,3 @@ def test_cancelled_nothing_comes_of_it(errands: Errands, qtbot: QtBot) -> None:
     go.set()
     qtbot.wait(50)
     assert found == []
-
-
-def test_an_errand_ends_while_another_thread_is_still_loading_what_factors(
-    errands: Errands, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    name = "starskel.blending.laplacian"
-    monkeypatch.setitem(sys.modules, name, ModuleType(name))  # as it is until its first line has run
-    found = collected(errands)
-    errands.do(lambda _: "done")
-    qtbot.waitUntil(lambda: bool(found))
-    assert found[0].value == "done"

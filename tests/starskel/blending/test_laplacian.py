@@ -6,7 +6,7 @@ import pytest
 from scipy.sparse.linalg import splu
 
 from starskel.blending import laplacian
-from starskel.blending.laplacian import KEPT, factor, forget_factors
+from starskel.blending.laplacian import KEPT, factor, factors_kept
 
 
 def grid(rows, columns):
@@ -81,7 +81,7 @@ def run_in_a_thread(work):
 def test_another_thread_solves_to_the_same_bits():
     factored = factor(GRAPHS["many fans"], np.full(len(GRAPHS["many fans"]), 0.7), np.ones(640))
     right, found = np.random.default_rng(3).normal(size=(2, 640)), []
-    run_in_a_thread(lambda: found.extend([factored.solve(right), forget_factors()]))
+    run_in_a_thread(lambda: found.append(factored.solve(right)))
     np.testing.assert_array_equal(found[0], factored.solve(right))
 
 
@@ -96,7 +96,6 @@ def test_threads_that_come_and_go_leave_no_memory_behind():
     def work():
         for _ in range(8):
             factor(edges, weights, diagonal).solve(right)
-        forget_factors()
 
     run_in_a_thread(work)
     before = pages()
@@ -119,3 +118,24 @@ def test_a_thread_keeps_the_factors_that_it_used_last(monkeypatch):
     assert len(counted) == KEPT + 1
     several[1].solve(right)  # the one that had not been used for the longest time
     assert len(counted) == KEPT + 2
+
+
+def test_other_threads_keep_factors_while_their_work_goes_on(monkeypatch):
+    counted, kept = [], []
+    monkeypatch.setattr(laplacian, "splu", lambda *given, **how: counted.append(given) or splu(*given, **how))
+    factored, right = factor(GRAPHS["a triangle"], np.ones(3), np.ones(3)), np.ones((1, 3))
+
+    def work():
+        with factors_kept():
+            factored.solve(right)
+            with factors_kept():
+                factored.solve(right)
+            factored.solve(right)
+            kept.append(len(laplacian._RECENT.factors))
+        kept.append(len(laplacian._RECENT.factors))
+        factored.solve(right)
+        kept.append(len(laplacian._RECENT.factors))
+
+    run_in_a_thread(work)
+    assert len(counted) == 2
+    assert kept == [1, 0, 0]
