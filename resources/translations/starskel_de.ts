@@ -673,7 +673,7 @@
     </message>
     <message>
         <source>the outline has {count} vertices</source>
-        <translation>der Umriss hat {count} Ecken</translation>
+        <translation>der Umriss hat {count} Eckpunkte</translation>
     </message>
     <message>
         <source>choose a larger tolerance: {most} are the most</source>
@@ -993,7 +993,7 @@
     </message>
     <message>
         <source>pairs of vertices to be compared</source>
-        <translation>zu vergleichende Eckenpaare</translation>
+        <translation>zu vergleichende Paare von Eckpunkten</translation>
     </message>
     <message>
         <source>simplify the shapes, or take a method that needs no pieces</source>
@@ -1001,7 +1001,7 @@
     </message>
     <message>
         <source>vertices to be cut into pieces</source>
-        <translation>in Teile zu zerlegende Ecken</translation>
+        <translation>in Teile zu zerlegende Eckpunkte</translation>
     </message>
     <message>
         <source>all that is to be seen is a point</source>
@@ -1063,7 +1063,7 @@
     </message>
     <message>
         <source>New, then set the corners of both shapes; or open an example.</source>
-        <translation>Neu, dann die Ecken beider Formen setzen; oder ein Beispiel öffnen.</translation>
+        <translation>Neu, dann die Eckpunkte beider Formen setzen; oder ein Beispiel öffnen.</translation>
     </message>
     <message>
         <source>Mark</source>
@@ -1986,8 +1986,8 @@
     <message numerus="yes">
         <source>%n vertices: blending takes minutes and much memory. F5 begins, Esc ends it.</source>
         <translation>
-            <numerusform>%n Ecke: Das Überblenden dauert Minuten und braucht viel Speicher. F5 beginnt, Esc beendet es.</numerusform>
-            <numerusform>%n Ecken: Das Überblenden dauert Minuten und braucht viel Speicher. F5 beginnt, Esc beendet es.</numerusform>
+            <numerusform>%n Eckpunkt: Das Überblenden dauert Minuten und braucht viel Speicher. F5 beginnt, Esc beendet es.</numerusform>
+            <numerusform>%n Eckpunkte: Das Überblenden dauert Minuten und braucht viel Speicher. F5 beginnt, Esc beendet es.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
