@@ -6,6 +6,7 @@ summed without any rounding: every product is split into its rounded value and i
 are distilled until they do not overlap, so that the largest of them carries the sign.
 
 This module holds the only tolerances of decisions: `ROUNDING`, and `NEAR` for what is proven exactly after.
+By `DIGITS` nothing is decided that is right or wrong, only which of equals is taken.
 """
 
 import numpy as np
@@ -20,6 +21,9 @@ ROUNDING = 8 * UNIT
 
 NEAR = 1e-9
 """Smaller shares are no matter of floats: what is found with this counts only once it is proven."""
+
+DIGITS = 9
+"""Where one of several is chosen, what agrees to so many decimals is equal: rounding chooses nothing."""
 
 LARGEST = 1e75
 """Products of four larger coordinates overflow, those of coordinates all below 1/LARGEST underflow."""

@@ -8,11 +8,9 @@ from starskel.arrays import Floats, Indices
 from starskel.decomposition.pieces import Decomposition, edges_of
 from starskel.errors import StarskelError
 from starskel.outline import signed_areas
+from starskel.predicates import DIGITS
 
 Edge = tuple[int, int]
-
-DIGITS = 9
-"""Sizes and lengths that agree to so many decimals count as equal: rounding does not choose the root."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,6 +8,7 @@ import numpy as np
 
 from starskel.arrays import Floats, Indices
 from starskel.correspondence import Correspondence
+from starskel.predicates import DIGITS
 from starskel.shapes.holes.region import Region, meeting
 from starskel.shapes.holes.routes import Bridge
 from starskel.task import Task
@@ -133,7 +134,7 @@ class _Chain:
     ring: int
 
     def order(self) -> tuple[float, tuple[Bridge, ...]]:
-        return round(self.cost, 9), self.bridges
+        return round(self.cost, DIGITS), self.bridges
 
     def extended(self, price: float, bridge: Bridge, goal: int, bridges: Bridges) -> "_Chain":
         """Lengthen the chain; it costs more where it leaves a ring near to where it came to it."""
@@ -146,7 +147,7 @@ class _Chain:
 
 
 def _by_cost(priced: tuple[float, Bridge]) -> tuple[float, Bridge]:
-    return round(priced[0], 9), priced[1]
+    return round(priced[0], DIGITS), priced[1]
 
 
 def _shares(pair: Correspondence, ring_of: Indices) -> list[list[float]]:

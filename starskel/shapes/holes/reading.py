@@ -12,9 +12,7 @@ import numpy as np
 from starskel.arrays import Floats, Indices
 from starskel.correspondence import Correspondence
 from starskel.decomposition.canonical import PairReading, canonical
-
-_DIGITS = 9
-"""Distances that agree to so many digits count as equal."""
+from starskel.predicates import DIGITS
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +41,7 @@ class RegionReading:
         first, second = reading.ordered(
             [_distances(rows, len(outline)) for rows in (pair.source, pair.target)]
         )
-        far = (2 * first + second).round(_DIGITS)
+        far = (2 * first + second).round(DIGITS)
         places = np.concatenate(
             reading.ordered([reading.placed(rows) for rows in (pair.source, pair.target)]), axis=1
         )

@@ -11,6 +11,7 @@ import numpy as np
 
 from starskel.arrays import Complex, Flags, Floats
 from starskel.polar import as_points
+from starskel.predicates import DIGITS
 from starskel.shapes.holes.region import Region, meeting
 from starskel.shapes.holes.triangulated_region import TriangulatedRegion
 from starskel.task import Task
@@ -23,9 +24,6 @@ BULGE = 0.1
 
 HALVINGS = 20
 """How often that is halved until there is room."""
-
-DIGITS = 9
-"""Lengths that agree to so many digits count as equal."""
 
 _STARTS, _ENDS = slice(-1), slice(1, None)
 

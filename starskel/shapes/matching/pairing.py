@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from starskel.arguments import items, refusal
 from starskel.arrays import Floats
 from starskel.errors import InvalidMarks, told
+from starskel.predicates import DIGITS
 from starskel.shapes.shape import Shape, ShapeLike
 
 RingLink = tuple[int | None, int | None]
@@ -82,7 +83,7 @@ def turn_between(source: Shape, target: Shape, pairing: Iterable[RingLink]) -> f
         own = _costs(*_turned(first, second, turn))
         least = abs(remainder(turn, tau))
         price = TURNING_PRICE * len(links) * least / np.pi
-        return round(float(own.sum()) + price, 9), round(least, 9)
+        return round(float(own.sum()) + price, DIGITS), round(least, DIGITS)
 
     turn = float(min(TURNS.tolist(), key=cost))
     for halvings in range(1, REFINEMENTS + 1):
@@ -207,8 +208,8 @@ def _assigned(
     costs = costs[:-1, :-1] if around else costs
     rows, columns = linear_sum_assignment(costs)
     price = TURNING_PRICE * (len(rows) + around) * abs(turn) / np.pi
-    total = round(float(costs[rows, columns].sum()) + fixed + price, 9)
-    return total, abs(round(turn, 9)), (rows.tolist(), columns.tolist())
+    total = round(float(costs[rows, columns].sum()) + fixed + price, DIGITS)
+    return total, abs(round(turn, DIGITS)), (rows.tolist(), columns.tolist())
 
 
 def _turned(source: Sequence[Floats], target: Sequence[Floats], turn: float) -> tuple[Polygons, Polygons]:
